@@ -33,6 +33,13 @@ struct FixedPoint {
         return {static_cast<std::int64_t>(~static_cast<std::uint64_t>(high) + carry), ~low + 1};
     }
 
+    /// Returns the number over 2^bits, rounded down to a multiple of the unit. @param bits
+    /// below 64.
+    FixedPoint shifted_down(unsigned bits) const {
+        if (bits == 0) return *this;
+        return {high >> bits, low >> bits | static_cast<std::uint64_t>(high) << (64 - bits)};
+    }
+
     /// Returns x rounded towards zero to a multiple of the unit. @param x  |x| <= kLargestTerm.
     static FixedPoint from_double(double x) {
         const double size = std::abs(x);

@@ -2,6 +2,7 @@
 #include "film/batches.h"
 
 #include "film/pass_groups.h"
+#include "film/pass_weight.h"
 #include "math/wavelengths.h"
 #include "visible_points/radius.h"
 
@@ -44,22 +45,26 @@ bool is_early(const PassSet& passes, const PassRange& group) {
     return group.end <= kBatchPasses && has_early_batches(passes) && are_all_there(passes, group);
 }
 
-CompleteBatches complete_batches(const PassSet& passes) {
-    CompleteBatches all;
-    for (const PassRange& batch : early_batches(passes)) {
-        all.count += 1;
-        all.passes += static_cast<double>(batch.size());
+CompleteBatches complete_batches(const FilmKey& key, const PassSet& passes) {
+    std::vector<PassRange> first = early_batches(passes);
+    std::uint64_t others = whole_batches(passes);
+    if (are_all_there(passes, batch_range(0))) {
+        --others;
+        if (first.empty()) first.push_back(batch_range(0));
     }
-    std::uint64_t whole = whole_batches(passes);
-    const bool is_first_parted = all.count > 0 && are_all_there(passes, batch_range(0));
-    if (is_first_parted) --whole;
-    all.count += static_cast<double>(whole);
-    all.passes += static_cast<double>(whole * kBatchPasses);
+    CompleteBatches all{static_cast<double>(first.size() + others),
+                        static_cast<double>(others * kBatchPasses)};
+    for (const PassRange& batch : first) all.passes += weight_in(key, batch);
     return all;
 }
 
-double area_of(const PassRange& range, double alpha) {
-    return mean_area(range.begin, range.end, alpha);
+double area_of(const FilmKey& key, const PassRange& range) {
+    DiscAreaSequence areas(key.alpha);
+    for (std::uint64_t pass = 0; pass < range.begin; ++pass) areas.next();
+    double sum = 0;
+    for (std::uint64_t pass = range.begin; pass < range.end; ++pass)
+        sum += weight_of(key, pass) * areas.next();
+    return sum / weight_in(key, range);
 }
 
 std::uint64_t next_batch_end(std::uint64_t pass) {

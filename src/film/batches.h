@@ -8,6 +8,7 @@
 // Equations: docs/method/errors.md, eq. (26).
 #pragma once
 
+#include "film/film_key.h"
 #include "film/pass_set.h"
 
 #include <cstdint>
@@ -37,14 +38,14 @@ bool is_early(const PassSet& passes, const PassRange& group);
 /// The batches that errors are computed from. They have different numbers of passes.
 struct CompleteBatches {
     double count = 0;
-    double passes = 0;  // of all of them
+    double passes = 0;  // of all of them, by their weights (pass_weight.h)
 };
 
-CompleteBatches complete_batches(const PassSet& passes);
+CompleteBatches complete_batches(const FilmKey& key, const PassSet& passes);
 
-/// Returns the mean disc area of the passes, relative to pass 0 (visible_points/radius.h).
-/// @param range  not empty. @param alpha  in (0,1).
-double area_of(const PassRange& range, double alpha);
+/// Returns the mean disc area of passes, relative to pass 0 (visible_points/radius.h).
+/// @param key  with discs. @param range  not empty.
+double area_of(const FilmKey& key, const PassRange& range);
 
 /// Returns the end of the first batch, early or whole, that ends behind a pass.
 std::uint64_t next_batch_end(std::uint64_t pass);

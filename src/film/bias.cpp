@@ -50,7 +50,7 @@ std::vector<BatchMeans> block_sums(const Film& film) {
     const double passes = film.batches().passes;
     std::vector<std::pair<double, const FixedPoints*>> open;  // area, sums
     for (const OpenPasses& group : passes_left_out(sums))
-        open.emplace_back(area_of(batch_range(group.first / kBatchPasses), film.key().alpha),
+        open.emplace_back(area_of(film.key(), batch_range(group.first / kBatchPasses)),
                           &group.sums->photon_blocks);
     const FixedPoints& early = sums.early.photon_blocks_by_area;
     std::vector<BatchMeans> result(blocks.count());

@@ -1,6 +1,7 @@
 // Sums over passes and batches of a film, in ascending order.
 #include "film/disc_areas.h"
 
+#include "film/pass_weight.h"
 #include "math/wavelengths.h"
 #include "visible_points/radius.h"
 
@@ -9,12 +10,12 @@
 namespace sunfleck::engine {
 namespace {
 
-/// A whole batch, with sums over its passes in the film.
+/// A whole batch, with sums over its passes in the film, by weight.
 struct BatchAreas {
     double mean = 0;  // over all passes of the batch
     double held = 0;  // sum over its passes in the film
-    double count = 0;
-    double shown = 0;  // count and sum with the shares of passes in the picture
+    double passes = 0;
+    double shown = 0;  // passes and sum with the shares of passes in the picture
     double shown_areas = 0;
 };
 
@@ -22,13 +23,15 @@ struct BatchAreas {
 BatchAreas next_batch(const Film& film, std::uint64_t batch, DiscAreaSequence& areas) {
     BatchAreas result;
     const PassRange range = batch_range(batch);
+    const double passes_of_whole = weight_in(film.key(), range);
     for (std::uint64_t p = range.begin; p < range.end; ++p) {
+        const double weight = weight_of(film.key(), p);
         const double area = areas.next();
-        result.mean += area / kBatchPasses;
+        result.mean += weight * area / passes_of_whole;
         if (film.passes().count_in({p, p + 1}) == 0) continue;
-        const double share = film.share_of_pass(p);
-        result.held += area;
-        result.count += 1;
+        const double share = weight * film.share_of_pass(p);
+        result.held += weight * area;
+        result.passes += weight;
         result.shown += share;
         result.shown_areas += share * area;
     }
@@ -39,7 +42,7 @@ BatchAreas next_batch(const Film& film, std::uint64_t batch, DiscAreaSequence& a
 struct Sums {
     double passes = 0;
     double held = 0;   // areas of passes
-    double shown = 0;  // count and areas of passes, with their shares in the picture
+    double shown = 0;  // passes and their areas, with their shares in the picture
     double shown_areas = 0;
     double means = 0;          // for each pass, the mean of its whole batch
     double means_by_held = 0;  // areas of passes times those of their whole batches
@@ -47,17 +50,17 @@ struct Sums {
     double squares = 0;
 
     void add(const BatchAreas& batch) {
-        passes += batch.count;
+        passes += batch.passes;
         held += batch.held;
         shown += batch.shown;
         shown_areas += batch.shown_areas;
-        means += batch.count * batch.mean;
+        means += batch.passes * batch.mean;
         means_by_held += batch.mean * batch.held;
     }
 
-    void add_complete(double area, double count) {
-        areas += count * area;
-        squares += count * area * area;
+    void add_complete(double area, double of_passes) {
+        areas += of_passes * area;
+        squares += of_passes * area * area;
     }
 };
 
@@ -70,13 +73,14 @@ std::optional<DiscAreas> disc_areas(const Film& film) {
     Sums sums;
     const std::vector<PassRange> early = early_batches(film.passes());
     for (const PassRange& range : early)
-        sums.add_complete(area_of(range, film.key().alpha), static_cast<double>(range.size()));
+        sums.add_complete(area_of(film.key(), range), weight_in(film.key(), range));
     for (std::uint64_t batch = 0; batch_range(batch).begin < film.passes().ranges().back().end;
          ++batch) {
         const BatchAreas next = next_batch(film, batch, areas);
         sums.add(next);
         const bool is_parted = batch == 0 && !early.empty();
-        if (next.count == kBatchPasses && !is_parted) sums.add_complete(next.mean, kBatchPasses);
+        const bool is_complete = film.passes().count_in(batch_range(batch)) == kBatchPasses;
+        if (is_complete && !is_parted) sums.add_complete(next.mean, next.passes);
     }
     result.mean = sums.areas / result.complete.passes;
     result.squares = sums.squares - sums.areas * result.mean;

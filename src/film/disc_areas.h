@@ -23,8 +23,8 @@ inline constexpr double kLargestLever = 10;
 
 struct DiscAreas {
     CompleteBatches complete;
-    double mean = 0;            // area over complete batches
-    double squares = 0;         // sum of (s - mean)^2 over the passes of complete batches
+    double mean = 0;     // area over complete batches
+    double squares = 0;  // sum of (s - mean)^2 over the passes of complete batches, by weight
     double mean_of_passes = 0;  // of the picture: times the slope, its bias
 
     // With sums Y of light and M of light times the area of its whole batch, over all passes, the

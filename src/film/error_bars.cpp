@@ -69,7 +69,7 @@ std::vector<MeanError> pixel_errors(const Film& film) {
     if (batches.count < 2) return {};
     const FilmSums& sums = film.sums();
     const CompleteSums complete(sums);
-    const auto all_passes = static_cast<double>(film.pass_count());
+    const double all_passes = film.weight();
     std::vector<MeanError> errors(film.key().pixels());
     parallel_blocks(errors.size(), 4096, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -128,8 +128,7 @@ double image_mean_by_photons(const Film& film) {
     if (rgb.empty() || film.pass_count() == 0) return 0;
     RgbSum sum;
     for (std::size_t cell = 0; 3 * cell < rgb.size(); ++cell) sum += rgb_of(rgb, cell);
-    return sum.mean_luminance(static_cast<double>(film.pass_count())) /
-           static_cast<double>(film.key().pixels());
+    return sum.mean_luminance(film.weight()) / static_cast<double>(film.key().pixels());
 }
 
 }  // namespace sunfleck::engine

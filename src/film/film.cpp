@@ -4,6 +4,7 @@
 #include "film/luminance.h"
 #include "film/pass_groups.h"
 #include "film/pass_terms.h"
+#include "film/pass_weight.h"
 #include "math/wavelengths.h"
 #include "sunfleck/error.h"
 
@@ -63,11 +64,11 @@ void check_parts(const FilmSums& sums, const FilmSums& other, const std::string&
 
 /// @param sums  of all passes or of an open batch; arrays of AOVs that are not kept are empty.
 template <class Sums>
-void add_aovs(Sums& sums, const PassImage& image) {
+void add_aovs(Sums& sums, const WeighedImage& pass) {
     for (std::size_t i = 0; i < kAovCount; ++i)
-        if (!sums.aovs.at(i).empty()) add_aov(sums.aovs.at(i), image, kAovs.at(i));
+        if (!sums.aovs.at(i).empty()) add_aov(sums.aovs.at(i), pass, kAovs.at(i));
     for (std::size_t i = 0; i < sums.light_groups.size(); ++i)
-        add_light_group(sums.light_groups[i], image, i);
+        add_light_group(sums.light_groups[i], pass, i);
 }
 
 }  // namespace
@@ -75,7 +76,11 @@ void add_aovs(Sums& sums, const PassImage& image) {
 Film::Film(FilmKey key) : sums_(empty_sums(std::move(key))) {}
 
 CompleteBatches Film::batches() const {
-    return key().sequential ? CompleteBatches() : complete_batches(sums_.passes);
+    return key().sequential ? CompleteBatches() : complete_batches(key(), sums_.passes);
+}
+
+double Film::weight() const {
+    return weight_in(key(), sums_.passes, {0, ~std::uint64_t{0}});
 }
 
 double Film::share_of_pass(std::uint64_t number) const {
@@ -90,11 +95,10 @@ double Film::share_of_pass(std::uint64_t number) const {
 }
 
 double Film::passes_in_picture() const {
-    auto sum = static_cast<double>(pass_count());
-    for (const auto& [first, group] : sums_.open_groups) {
-        const std::uint64_t held = sums_.passes.count_in(group_of(sums_.passes, first));
-        sum -= (1 - share_of_pass(first)) * static_cast<double>(held);
-    }
+    double sum = weight();
+    for (const auto& [first, group] : sums_.open_groups)
+        sum -= (1 - share_of_pass(first)) *
+               weight_in(key(), sums_.passes, group_of(sums_.passes, first));
     return sum;
 }
 
@@ -119,7 +123,8 @@ void Film::add_pass(std::uint32_t number, const PassImage& image) {
         throw Error({"pass " + std::to_string(number)}, "the film already contains it",
                     "add each pass once");
     check_image(sums_.key, number, image);
-    add_aovs(sums_, image);
+    const WeighedImage weighed{image, bits_less(key(), number)};
+    add_aovs(sums_, weighed);
     count("dropped_nonfinite", image.dropped());
     count("saturated", image.saturated());
     const std::vector<PassRange> early = early_batches(sums_.passes);
@@ -128,10 +133,10 @@ void Film::add_pass(std::uint32_t number, const PassImage& image) {
     const auto [place, is_new] = sums_.open_groups.try_emplace(smallest_group(number).begin);
     OpenGroup& group = place->second;
     if (is_new) group = empty_group(key());
-    add_aovs(group, image);
+    add_aovs(group, weighed);
     if (key().has_discs()) {
-        const double area = area_of(batch_range(number / kBatchPasses), key().alpha);
-        count("saturated", add_photons(sums_, image, area, group));
+        const double area = area_of(key(), batch_range(number / kBatchPasses));
+        count("saturated", add_photons(sums_, weighed, area, group));
     }
     close_early_batches(early);
     join_groups();
@@ -153,11 +158,10 @@ void Film::close_early_batches(const std::vector<PassRange>& before) {
     for (const PassRange& batch : early_batches(sums_.passes)) {
         if (std::find(before.begin(), before.end(), batch) != before.end()) continue;
         const OpenGroup& group = sums_.open_groups.at(batch.begin);
-        const auto passes = static_cast<double>(batch.size());
+        const double passes = weight_in(key(), batch);
         add_squares(key(), group, passes, passes, squares_of_early(sums_));
         if (key().has_discs())
-            add_early_area(sums_, group,
-                           area_of(batch, key().alpha) - area_of(batch_range(0), key().alpha));
+            add_early_area(sums_, group, area_of(key(), batch) - area_of(key(), batch_range(0)));
     }
 }
 
@@ -173,11 +177,12 @@ void Film::close_batches() {
         const std::uint64_t batch = group->first / kBatchPasses;
         const bool complete = sums_.passes.count_in(batch_range(batch)) == kBatchPasses;
         if (complete) {
+            const double passes = weight_in(key(), batch_range(batch));
             const auto add = [&](double factor, const SquareSums& sums) {
-                return add_squares(key(), group->second, kBatchPasses, factor, sums);
+                return add_squares(key(), group->second, passes, factor, sums);
             };
-            count("saturated_squares", add(1, squares_of_whole(sums_)));
-            if (batch == 0 && are_early) add(-double{kBatchPasses}, squares_of_early(sums_));
+            count("saturated_squares", add(passes / kBatchPasses, squares_of_whole(sums_)));
+            if (batch == 0 && are_early) add(-passes, squares_of_early(sums_));
         }
         group = complete ? sums_.open_groups.erase(group) : std::next(group);
     }

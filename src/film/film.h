@@ -61,13 +61,16 @@ public:
     FilmSums sums() && { return std::move(sums_); }
     const PassSet& passes() const { return sums_.passes; }
     std::uint64_t pass_count() const { return sums_.passes.count(); }
+    /// Returns the number of passes by their weights (pass_weight.h).
+    double weight() const;
     /// Returns the complete batches; none for a sequential film.
     CompleteBatches batches() const;
     /// Returns the factor of a pass in the picture: share_of_group(), which is one for complete
     /// whole batches. If no whole batch is complete, it is the number of passes of its batch over
     /// the largest number.
     double share_of_pass(std::uint64_t number) const;
-    /// Returns the number of passes in the picture, as the sum of share_of_pass() over all passes.
+    /// Returns the number of passes in the picture, as the sum over all passes of their weights
+    /// times share_of_pass().
     double passes_in_picture() const;
 
 private:

@@ -1,15 +1,15 @@
 // Film files (.film): complete films, for resuming and merging without loss.
 //
 // Layout, in 64-bit little-endian words: magic, version, width, height, AOVs (bit i: row i of
-// kAovs; bit 63: sequential), alpha (the bits of a double; zero: no discs), seed, scene hash,
-// settings; count of light groups, and each name; count of pass ranges, and each begin and end;
-// count of statistics, and each name, high and low word; the sums (high, low) of each AOV, of each
-// light group, pixel squares, block squares, the picture's square; with discs, of photons' light:
-// RGB sums, those times area, block squares, the picture's square; where there are early batches,
-// of these pixel squares, block squares, with discs those of photons' light and photons' luminance
-// times area, the picture's square, that of photons' light; for each open group its sums of each
-// AOV and light group and, with discs, photons' RGB of each block (a sequential film has none);
-// checksum of everything before. Equal films have equal files.
+// kAovs; bit 63: sequential), alpha (the bits of a double; zero: no discs), small passes, seed,
+// scene hash, settings; count of light groups, and each name; count of pass ranges, and each begin
+// and end; count of statistics, and each name, high and low word; the sums (high, low) of each AOV,
+// of each light group, pixel squares, block squares, the picture's square; with discs, of photons'
+// light: RGB sums, those times area, block squares, the picture's square; where there are early
+// batches, of these pixel squares, block squares, with discs those of photons' light and photons'
+// luminance times area, the picture's square, that of photons' light; for each open group its sums
+// of each AOV and light group and, with discs, photons' RGB of each block (a sequential film has
+// none); checksum of everything before. Equal films have equal files.
 #pragma once
 
 #include "film/film.h"

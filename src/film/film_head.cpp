@@ -2,6 +2,7 @@
 #include "film/film_head.h"
 
 #include "film/pass_groups.h"
+#include "film/pass_weight.h"
 
 #include <bit>
 #include <cmath>
@@ -10,7 +11,7 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr std::uint64_t kVersion = 9;
+constexpr std::uint64_t kVersion = 10;
 constexpr std::uint64_t kSequential = std::uint64_t{1} << 63U;
 constexpr std::uint64_t kMostPixelsAcross = 1U << 17U;
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 32U;
@@ -29,6 +30,8 @@ FilmKey read_key(WordReader& in) {
     key.alpha = std::bit_cast<double>(in.word());
     if (!(key.alpha >= 0 && key.alpha < 1) || std::signbit(key.alpha)) in.damaged();
     if (key.sequential && key.has_discs()) in.damaged();
+    key.small_passes = in.word_up_to(kSmallPasses);
+    if (key.sequential && key.small_passes > 0) in.damaged();
     key.seed = in.word();
     key.scene_hash = in.word();
     key.settings = in.text();
@@ -86,7 +89,8 @@ std::vector<std::uint64_t> head_words(const FilmSums& sums) {
     for (const std::uint64_t word :
          {kFilmMagic, kVersion, static_cast<std::uint64_t>(sums.key.width),
           static_cast<std::uint64_t>(sums.key.height), aovs,
-          std::bit_cast<std::uint64_t>(sums.key.alpha), sums.key.seed, sums.key.scene_hash})
+          std::bit_cast<std::uint64_t>(sums.key.alpha), sums.key.small_passes, sums.key.seed,
+          sums.key.scene_hash})
         out.put(word);
     out.put(sums.key.settings);
     out.put(sums.key.light_groups.size());

@@ -52,6 +52,9 @@ std::optional<KeyDifference> difference(const FilmKey& here, const FilmKey& ther
         return KeyDifference{"seed", std::to_string(here.seed), std::to_string(there.seed)};
     if (here.scene_hash != there.scene_hash) return KeyDifference{"scene", "", ""};
     if (here.settings != there.settings) return differing_lines(here.settings, there.settings);
+    if (here.small_passes != there.small_passes)
+        return KeyDifference{"number of small passes", std::to_string(here.small_passes),
+                             std::to_string(there.small_passes)};
     if (here.alpha != there.alpha) return KeyDifference{"sequence of radii", "", ""};
     if (here.sequential != there.sequential) return KeyDifference{"order of passes", "", ""};
     return {};

@@ -22,6 +22,7 @@ struct FilmKey {
     double alpha = 0;  // of the radius sequence (visible_points/radius.h), which biases the
                        // picture; zero: there are none, or they follow no such sequence
     std::vector<std::string> light_groups{};  // their names: aovs/light_groups.h
+    std::uint64_t small_passes = 0;           // the first passes that are: film/pass_weight.h
 
     friend bool operator==(const FilmKey&, const FilmKey&) = default;
 

@@ -54,22 +54,24 @@ void add_all(std::span<FixedPoint> sums, std::span<const FixedPoint> terms) {
     });
 }
 
-void add_aov(FixedPoints& sums, const PassImage& image, const AovRow& row) {
+void add_aov(FixedPoints& sums, const WeighedImage& pass, const AovRow& row) {
     const std::size_t channels = row.channels.size();
     parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            sums[i] += image.value(row.aov, i / channels, i % channels);
+            sums[i] +=
+                pass.image.value(row.aov, i / channels, i % channels).shifted_down(pass.bits_less);
     });
 }
 
-void add_light_group(FixedPoints& sums, const PassImage& image, std::size_t light_group) {
+void add_light_group(FixedPoints& sums, const WeighedImage& pass, std::size_t light_group) {
     parallel_blocks(sums.size(), kPixelsPerTask, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            sums[i] += image.light_value(light_group, i / 3, i % 3);
+            sums[i] +=
+                pass.image.light_value(light_group, i / 3, i % 3).shifted_down(pass.bits_less);
     });
 }
 
-std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, OpenGroup& group) {
+std::uint64_t add_photons(FilmSums& sums, const WeighedImage& pass, double area, OpenGroup& group) {
     const BlockGrid blocks = blocks_of_cells(sums.key, kErrorBlock);
     Terms term;
     const auto add_cell = [&](std::size_t cell, const RgbSum& light) {
@@ -81,8 +83,9 @@ std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, O
     parallel_for(blocks.count(), [&](std::size_t b) {
         RgbSum block;
         blocks.for_pixels(b, [&](std::size_t cell) {
-            const RgbSum light{
-                {image.by_photons(cell, 0), image.by_photons(cell, 1), image.by_photons(cell, 2)}};
+            RgbSum light;
+            for (std::size_t c = 0; c < 3; ++c)
+                light.channel[c] = pass.image.by_photons(cell, c).shifted_down(pass.bits_less);
             add_cell(cell, light);
             block += light;
         });

@@ -11,16 +11,22 @@ namespace sunfleck::engine {
 /// Adds each term to its sum.
 void add_all(std::span<FixedPoint> sums, std::span<const FixedPoint> terms);
 
+/// The image of a pass, whose terms are shifted down by some bits: its weight (pass_weight.h).
+struct WeighedImage {
+    const PassImage& image;
+    unsigned bits_less = 0;
+};
+
 /// Adds an AOV of a pass, pixel by pixel, channel by channel.
-void add_aov(FixedPoints& sums, const PassImage& image, const AovRow& row);
+void add_aov(FixedPoints& sums, const WeighedImage& pass, const AovRow& row);
 
 /// Adds a light group of a pass, pixel by pixel, RGB.
-void add_light_group(FixedPoints& sums, const PassImage& image, std::size_t light_group);
+void add_light_group(FixedPoints& sums, const WeighedImage& pass, std::size_t light_group);
 
 /// Adds the photons' light of one pass, which the image stores apart.
 /// @param area  mean disc area of the batch.
 /// @return the number of terms clamped to kLargestTerm.
-std::uint64_t add_photons(FilmSums& sums, const PassImage& image, double area, OpenGroup& group);
+std::uint64_t add_photons(FilmSums& sums, const WeighedImage& pass, double area, OpenGroup& group);
 
 /// Where squared luminances of batches are summed.
 struct SquareSums {
@@ -37,7 +43,7 @@ SquareSums squares_of_whole(FilmSums& sums);
 SquareSums squares_of_early(FilmSums& sums);
 
 /// Adds the squared mean luminance of a complete batch for pixels, blocks and the picture.
-/// @param passes  of the batch. @param factor  of each square.
+/// @param passes  of the batch, by weight. @param factor  of each square.
 /// @return the number of terms clamped to kLargestTerm.
 std::uint64_t add_squares(const FilmKey& key, const OpenGroup& batch, double passes, double factor,
                           const SquareSums& sums);

@@ -78,7 +78,7 @@ double times_passes_to(const TargetError& error, double target, double alpha) {
 }
 
 double passes_left(const Film& film, const TargetError& error, double target, double alpha) {
-    return (times_passes_to(error, target, alpha) - 1) * static_cast<double>(film.pass_count());
+    return (times_passes_to(error, target, alpha) - 1) * film.weight();
 }
 
 std::optional<TargetError> target_error(const Film& film, ErrorTerms terms) {

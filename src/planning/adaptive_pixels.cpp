@@ -1,6 +1,7 @@
 // Allocation of paths by the noise of trials.
 #include "planning/adaptive_pixels.h"
 
+#include "core/parallel.h"
 #include "planning/judged_blocks.h"
 #include "planning/pixel_tuning.h"
 
@@ -38,10 +39,11 @@ Log2Samples log2_samples_of(const PixelValues& worth, const PixelTrials& trials,
     for (const double w : worth) noise += std::sqrt(w);
     noise /= level * static_cast<double>(worth.size());
     Log2Samples log2_samples(worth.size());
-    for (std::size_t block = 0; block < grid.count(); ++block)
+    parallel_for(grid.count(), [&](std::size_t block) {
         grid.for_pixels(block, [&](std::size_t i) {
             log2_samples[i] = log2_samples_for(worth[i] / (noise * noise), trials.nets[block]);
         });
+    });
     return log2_samples;
 }
 

@@ -1,6 +1,7 @@
 // Weighted sums over neighbours, row by row.
 #include "planning/pixel_buffer.h"
 
+#include "core/parallel.h"
 #include "film/luminance.h"
 
 #include <algorithm>
@@ -17,13 +18,14 @@ double weight_of(int there, int here) {
 }  // namespace
 
 PixelValues luminance_of(const PassImage& image) {
-    PixelValues pixels;
-    pixels.reserve(image.pixels());
-    for (std::size_t i = 0; i < image.pixels(); ++i) {
-        const RgbSum sum{{image.value(Aov::total, i, 0), image.value(Aov::total, i, 1),
-                          image.value(Aov::total, i, 2)}};
-        pixels.push_back(sum.mean_luminance(1));
-    }
+    PixelValues pixels(image.pixels());
+    parallel_blocks(pixels.size(), 1U << 14U, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const RgbSum sum{{image.value(Aov::total, i, 0), image.value(Aov::total, i, 1),
+                              image.value(Aov::total, i, 2)}};
+            pixels[i] = sum.mean_luminance(1);
+        }
+    });
     return pixels;
 }
 

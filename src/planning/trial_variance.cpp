@@ -1,6 +1,8 @@
 // Sums over blocks of products of differences.
 #include "planning/trial_variance.h"
 
+#include "core/parallel.h"
+
 namespace sunfleck::engine {
 namespace {
 
@@ -55,13 +57,15 @@ std::vector<BlockVariance> block_variances(const PixelWindow& window, const Tria
                                            const PixelTrials& trials, const CameraShares& shares,
                                            Objective objective) {
     const BlockGrid grid(window.width(), window.height(), kTrialBlock);
-    std::vector<BlockSums> blocks;
+    std::vector<BlockSums> blocks(grid.count());
+    parallel_for(grid.count(), [&](std::size_t b) {
+        blocks[b] = sums_of({window, pair.cells}, b, pair, trials, shares);
+    });
     double light = 0;
     double pixels = 0;
-    for (std::size_t b = 0; b < grid.count(); ++b) {
-        blocks.push_back(sums_of({window, pair.cells}, b, pair, trials, shares));
-        light += blocks.back().light;
-        pixels += blocks.back().pixels;
+    for (const BlockSums& block : blocks) {
+        light += block.light;
+        pixels += block.pixels;
     }
     const double mean = light / pixels;
     if (!(mean > 0)) return {};

@@ -12,7 +12,7 @@ namespace sunfleck::engine {
 namespace {
 
 constexpr std::uint64_t kMagic = 0x0A'74'70'6B'63'6E'75'73;     // "sunckpt\n"
-constexpr std::uint64_t kVersion = 9;                           // films of version 9
+constexpr std::uint64_t kVersion = 10;                          // films of version 10
 constexpr std::uint64_t kMostPasses = std::uint64_t{1} << 30U;  // as --passes
 constexpr WordFileKind kCheckpointFile{kMagic, "checkpoint",
                                        "use another copy, or render anew without --resume"};

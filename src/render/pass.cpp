@@ -3,7 +3,9 @@
 
 #include "camera_paths/trace_camera_paths.h"
 #include "core/stopwatch.h"
+#include "film/pass_weight.h"
 #include "photon_samplers/samplers.h"
+#include "planning/photon_trials.h"
 #include "reference/bidirectional_integrator.h"
 #include "reference/light_integrator.h"
 #include "reference/metropolis_integrator.h"
@@ -14,9 +16,22 @@
 namespace sunfleck::engine {
 namespace {
 
+/// What a pass has of its epoch's camera paths and photon paths.
+struct Share {
+    Log2Samples log2_samples;
+    std::vector<LightStratum> strata;
+};
+
+/// Returns all of it, or what a small pass has (film/pass_weight.h).
+Share share_of(const Epoch& epoch, bool is_small) {
+    if (!is_small) return {epoch.log2_samples, epoch.strata};
+    return {{}, fraction_of(epoch.strata, 1U << kSmallPassBits)};
+}
+
 void render_sppm(const RenderSettings& settings, CameraPass camera, const Epoch& epoch,
-                 SamplerState& state, PassResult& result) {
-    camera.log2_samples = epoch.log2_samples;
+                 bool is_small, SamplerState& state, PassResult& result) {
+    const Share share = share_of(epoch, is_small);
+    camera.log2_samples = share.log2_samples;
     camera.edges = epoch.edges;
     Stopwatch watch;
     auto points = trace_camera_paths(camera, result.image, result.statistics);
@@ -27,7 +42,7 @@ void render_sppm(const RenderSettings& settings, CameraPass camera, const Epoch&
     const PhotonContext photon_context{camera.scene, camera.transport, index};
     const bool are_counted = result.image.has(Aov::samples);
     PhotonCounts taken(are_counted ? result.image.pixels() : 0);
-    PhotonTotals photons = trace_photons({photon_context, camera.id, epoch.strata, settings.photon},
+    PhotonTotals photons = trace_photons({photon_context, camera.id, share.strata, settings.photon},
                                          {result.image, are_counted ? &taken : nullptr}, state);
     result.seconds.photon += watch.lap();
     if (are_counted) add_samples(taken, result.image);
@@ -65,7 +80,8 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     const ReferencePass reference{at_wavelengths, settings.transport, window, id};
     switch (settings.integrator) {
         case Integrator::sppm:
-            render_sppm(settings, camera, epoch, state, result);
+            render_sppm(settings, camera, epoch, number < small_passes(settings, window.pixels()),
+                        state, result);
             break;
         case Integrator::path:
             trace_reference_paths(reference, result.image, result.statistics);

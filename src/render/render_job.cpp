@@ -15,6 +15,7 @@ FilmKey key_of(const RenderJob& job) {
     key.sequential = is_sequential(job.settings);
     if (job.settings.integrator == Integrator::sppm && !key.sequential)
         key.alpha = job.settings.alpha;
+    key.small_passes = small_passes(job.settings, key.pixels());
     return key;
 }
 

@@ -1,6 +1,7 @@
 // The text that says whether two renders may be merged: one "name=value" a line.
 #include "stages/settings.h"
 
+#include "film/pass_weight.h"
 #include "photon_samplers/samplers.h"
 
 #include <fmt/format.h>
@@ -14,6 +15,13 @@ void use_paper_mode(RenderSettings& settings) {
     settings.camera.indirect_radius = 1;
     settings.camera.edges = false;
     if (!settings.camera.radius_pixels) settings.camera.radius_pixels = 2;
+}
+
+std::uint64_t small_passes(const RenderSettings& settings, std::size_t pixels) {
+    const bool has_photons = settings.integrator == Integrator::sppm;
+    const bool starts_small =
+        has_photons && !is_sequential(settings) && pixels >= settings.large_picture;
+    return starts_small ? kSmallPasses : 0;
 }
 
 bool is_sequential(const RenderSettings& settings) {

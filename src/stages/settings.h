@@ -42,6 +42,8 @@ struct RenderSettings {
     AovSet aovs{};
     Objective objective = Objective::relative;  // of what the sampler `adaptive` measures
     std::uint64_t seed = 0;
+    /// Pixels of a picture whose first passes are small (film/pass_weight.h).
+    std::size_t large_picture = 1'000'000;
     bool energy_compensation = false;  // of the scene's materials: compensate_energy()
 
     /// Lines that two renders share if and only if their passes are the same function of scene and
@@ -52,6 +54,9 @@ struct RenderSettings {
 /// Sets what the sampler `paper` prescribes: all light by photons, alpha 0.7, one radius for all
 /// kinds of photons (paper, section 7), of two pixels unless the user has set it.
 void use_paper_mode(RenderSettings& settings);
+
+/// Returns the number of small passes of a picture (film/pass_weight.h).
+std::uint64_t small_passes(const RenderSettings& settings, std::size_t pixels);
 
 /// Returns whether each pass depends on those before it.
 bool is_sequential(const RenderSettings& settings);

@@ -36,13 +36,4 @@ inline double radius_factor(std::uint32_t pass, double alpha) {
     return std::sqrt(areas.next());
 }
 
-/// Returns the mean disc area over passes [begin, end), relative to pass 0. @param end  > begin.
-inline double mean_area(std::uint64_t begin, std::uint64_t end, double alpha) {
-    DiscAreaSequence areas(alpha);
-    for (std::uint64_t p = 0; p < begin; ++p) areas.next();
-    double sum = 0;
-    for (std::uint64_t p = begin; p < end; ++p) sum += areas.next();
-    return sum / static_cast<double>(end - begin);
-}
-
 }  // namespace sunfleck::engine

@@ -123,7 +123,7 @@ TEST_F(Resume, files_that_cannot_be_used) {
     broken = bytes;
     broken[8] = 8;
     write_text(path("x.ckpt"), broken);
-    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"version 8", "reads version 9"});
+    expect_refused({"--resume", "x.ckpt"}, "x.ckpt", {"version 8", "reads version 10"});
 }
 
 /// The same command once more by mistake does not cost the render.

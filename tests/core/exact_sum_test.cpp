@@ -47,6 +47,14 @@ TEST(FixedPoint, terms_that_fit_are_exact) {
         EXPECT_EQ(FixedPoint::from_double(x).to_double(), x) << x;
 }
 
+TEST(FixedPoint, shifted_down_is_a_fraction_rounded_down) {
+    for (const double x : {0.0, 1.0, -1.0, 12345.625, -12345.625, 0x1p40, -0x1p40})
+        EXPECT_EQ(FixedPoint::from_double(x).shifted_down(3).to_double(), x / 8) << x;
+    EXPECT_EQ((FixedPoint{0, 15}).shifted_down(3), (FixedPoint{0, 1}));
+    EXPECT_EQ((-FixedPoint{0, 15}).shifted_down(3), (-FixedPoint{0, 2}));
+    EXPECT_EQ((FixedPoint{-3, 7}).shifted_down(0), (FixedPoint{-3, 7}));
+}
+
 TEST(FixedPoint, bits_below_the_unit_are_cut_towards_zero) {
     EXPECT_EQ(FixedPoint::from_double(0x1.8p-64), (FixedPoint{0, 1}));
     EXPECT_EQ(FixedPoint::from_double(-0x1.8p-64), (FixedPoint{-1, kOnes}));

@@ -3,6 +3,7 @@
 
 #include "film/pass_groups.h"
 #include "synthetic.h"
+#include "visible_points/radius.h"
 
 #include <gtest/gtest.h>
 
@@ -13,7 +14,7 @@ using testing_support::set_of;
 using Ranges = std::vector<PassRange>;
 
 void expect_complete(const Ranges& ranges, double count, double passes) {
-    const CompleteBatches complete = complete_batches(set_of(ranges));
+    const CompleteBatches complete = complete_batches(FilmKey(), set_of(ranges));
     EXPECT_EQ(complete.count, count);
     EXPECT_EQ(complete.passes, passes);
 }
@@ -51,6 +52,18 @@ TEST(Batches, each_pass_counts_in_one) {
     expect_complete({{0, 7}, {16, 80}}, 4, 64);
 }
 
+TEST(Batches, count_by_the_weights_of_their_passes) {
+    FilmKey key;
+    key.small_passes = 2;
+    const auto passes = [&](const Ranges& ranges) {
+        return complete_batches(key, set_of(ranges)).passes;
+    };
+    EXPECT_EQ(passes({{0, 3}}), 0.25);
+    EXPECT_EQ(passes({{0, 32}}), 0.25 + 30);
+    EXPECT_EQ(passes({{0, 64}}), 0.25 + 62);
+    EXPECT_EQ(passes({{16, 80}}), 64);
+}
+
 TEST(Batches, groups_count_as_early_where_all_their_passes_are_there) {
     const PassSet passes = set_of({{0, 9}, {16, 20}});
     EXPECT_TRUE(is_early(passes, {0, 8}));
@@ -69,9 +82,17 @@ TEST(Batches, end_where_errors_change) {
 
 /// Of discs that shrink.
 TEST(Batches, have_the_mean_area_of_their_passes) {
-    EXPECT_EQ(area_of({0, 1}, 0.5), 1);
-    EXPECT_NEAR(area_of({0, 2}, 0.5), (1 + 1.5 / 2) / 2, 1e-15);
-    EXPECT_NEAR(area_of({1, 2}, 0.5), 1.5 / 2, 1e-15);
+    FilmKey key;
+    key.alpha = 0.5;
+    EXPECT_EQ(area_of(key, {0, 1}), 1);
+    EXPECT_NEAR(area_of(key, {0, 2}), (1 + 1.5 / 2) / 2, 1e-15);
+    EXPECT_NEAR(area_of(key, {1, 2}), 1.5 / 2, 1e-15);
+    double sum = 0;
+    for (std::uint32_t pass = 112; pass < 128; ++pass) sum += std::pow(radius_factor(pass, 0.5), 2);
+    EXPECT_NEAR(area_of(key, {112, 128}), sum / 16, 1e-14);
+    key.small_passes = 2;
+    const double third = 1.5 / 2 * 2.5 / 3;
+    EXPECT_NEAR(area_of(key, {0, 3}), ((1 + 1.5 / 2) / 8 + third) / (1 + 2.0 / 8), 1e-15);
 }
 
 }  // namespace

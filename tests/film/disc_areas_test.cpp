@@ -33,8 +33,9 @@ TEST(DiscAreas, are_sums_over_batches_and_passes) {
     double mean = 0;
     double squares = 0;
     for (const std::uint32_t batch : {0U, 1U, 3U, 4U, 5U}) {
-        mean += area_of(batch_range(batch), 2.0 / 3) / 5;
-        squares += std::pow(area_of(batch_range(batch), 2.0 / 3), 2);
+        const double of_batch = area_of(line_key(1, 1, 1), batch_range(batch));
+        mean += of_batch / 5;
+        squares += of_batch * of_batch;
     }
     EXPECT_EQ(areas->complete.count, 5);
     EXPECT_NEAR(areas->mean, mean, 1e-14);
@@ -68,6 +69,19 @@ TEST(DiscAreas, of_early_batches_count_as_often_as_these_have_passes) {
     EXPECT_NEAR(areas->mean, mean, 1e-14);
     EXPECT_NEAR(areas->squares, squares - 32 * mean * mean, 1e-13);
     EXPECT_EQ(areas->divisor, 0) << "of pixels nothing is known";
+}
+
+TEST(DiscAreas, of_small_passes_count_an_eighth) {
+    FilmKey key = line_key(1, 1, 1);
+    key.small_passes = 2;
+    const auto areas = disc_areas(
+        line_film(key, numbers(0, 64), [](std::size_t) { return testing_support::Line{}; }));
+    ASSERT_TRUE(areas);
+    EXPECT_EQ(areas->complete.passes, 62.25);
+    double sum = 0;
+    for (std::uint32_t pass = 0; pass < 64; ++pass) sum += area(pass) * (pass < 2 ? 0.125 : 1);
+    EXPECT_NEAR(areas->mean, sum / 62.25, 1e-14);
+    EXPECT_NEAR(areas->mean_of_passes, sum / 62.25, 1e-14);
 }
 
 TEST(DiscAreas, need_four_complete_batches_and_discs) {

@@ -83,6 +83,13 @@ std::string with_word(std::string bytes, std::size_t place, std::uint64_t word) 
     return bytes;
 }
 
+TEST_F(FilmFile, more_small_passes_than_there_are_are_refused) {
+    constexpr std::size_t kSmallPassesPlace = 6;
+    const std::string bytes = bytes_of(film_of(small_key(3, 2), numbers(0, 16)));
+    EXPECT_EQ(fault_of(with_word(bytes, kSmallPassesPlace, kSmallPasses)), "");
+    EXPECT_NE(fault_of(with_word(bytes, kSmallPassesPlace, kSmallPasses + 1)), "");
+}
+
 TEST_F(FilmFile, a_sequence_of_radii_that_cannot_be_is_refused) {
     constexpr std::size_t kAovsPlace = 4;
     constexpr std::size_t kAlphaPlace = 5;
@@ -173,7 +180,7 @@ TEST_F(FilmFile, errors_are_one_clear_line) {
     bytes[8] = 8;
     EXPECT_EQ(fault_of(bytes), std::string("fault.film") +
                                    ": is a film file of version 8; use the program that wrote "
-                                   "it; this one reads version 9");
+                                   "it; this one reads version 10");
     EXPECT_THROW(read_film(path("none.film")), Error);
 }
 

@@ -135,11 +135,35 @@ TEST(Film, what_photons_bring_is_summed_by_area) {
         EXPECT_EQ(sums.aovs[0][c].to_double(), 14 + 15);
         EXPECT_EQ(sums.photons.rgb[c].to_double(), 14);
         EXPECT_NEAR(sums.photons.rgb_by_area[c].to_double(),
-                    (2 + 4) * area_of({0, 16}, 0.5) + 8 * area_of({16, 32}, 0.5), 1e-15);
+                    (2 + 4) * area_of(key, {0, 16}) + 8 * area_of(key, {16, 32}), 1e-15);
         EXPECT_EQ(sums.open_groups.at(2).photon_blocks[c].to_double(), 2);
         EXPECT_EQ(sums.open_groups.at(4).photon_blocks[c].to_double(), 4);
         EXPECT_EQ(sums.open_groups.at(20).photon_blocks[c].to_double(), 8);
     }
+}
+
+/// Small passes of 8 and 24, others of 2: each in proportion to its weight.
+TEST(Film, small_passes_count_an_eighth) {
+    FilmKey key{1, 1, {}, 1, 1, ""};
+    key.alpha = 0.5;
+    key.small_passes = 2;
+    Film film(key);
+    for (std::uint32_t pass = 0; pass < 16; ++pass) {
+        PassImage image(1, {}, photon_cells_of(1, 1));
+        image.add_light(0, Vec3(pass == 0 ? 8 : pass == 1 ? 24 : 2), Aov::caustic);
+        film.add_pass(pass, image);
+    }
+    EXPECT_EQ(film.weight(), 14.25);
+    const FilmSums& sums = film.sums();
+    EXPECT_EQ(sums.aovs[0][0].to_double(), 1 + 3 + 14 * 2);
+    EXPECT_EQ(sums.photons.rgb[0].to_double(), 1 + 3 + 14 * 2);
+    // The mean of the batch, squared, as often as it has passes of sixteen.
+    const double mean = (1 + 3 + 14 * 2) / 14.25;
+    EXPECT_NEAR(sums.pixel_squares[0].to_double(), mean * mean * 14.25 / 16, 1e-12);
+    EXPECT_NEAR(sums.photons.block_squares[0].to_double(), mean * mean * 14.25 / 16, 1e-12);
+    // Early batches of 1/8, 1/8, 2, 4, 4, 4 passes, less the whole one.
+    const double of_early = (8 * 8 + 24 * 24) / 8.0 + 14 * 2 * 2;
+    EXPECT_NEAR(sums.early.pixel_squares[0].to_double(), of_early - 14.25 * mean * mean, 1e-12);
 }
 
 TEST(Film, squares_of_what_photons_bring_are_those_of_complete_batches) {
@@ -222,6 +246,9 @@ TEST(Film, parts_of_other_renders_are_refused_by_name) {
     key = small_key();
     key.alpha = 0.5;
     starts(merge_fault(key, {90}), other + "sequence of radii differs;");
+    key = small_key();
+    key.small_passes = 0;
+    starts(merge_fault(key, {90}), other + "number of small passes differs: 4 and 0;");
     key = small_key();
     key.aovs[static_cast<std::size_t>(Aov::direct)] = true;
     starts(merge_fault(key, {90}),

@@ -4,6 +4,7 @@
 #include "core/random.h"
 #include "film/film.h"
 #include "film/luminance.h"
+#include "film/pass_weight.h"
 #include "math/wavelengths.h"
 
 #include <cmath>
@@ -12,10 +13,11 @@
 
 namespace sunfleck::engine::testing_support {
 
-/// With discs: photons bring a part of the light. With AOVs of two lights.
+/// With discs: photons bring a part of the light. With AOVs of two lights, and small passes.
 inline FilmKey small_key(int width = 19, int height = 10) {
     FilmKey key{width, height, {}, 7, 0xABCDEF, "alpha=0.667\nphotons_per_pass=1000\n"};
     key.alpha = 2.0 / 3;
+    key.small_passes = kSmallPasses;
     key.aovs[static_cast<std::size_t>(Aov::caustic)] = true;
     key.aovs[static_cast<std::size_t>(Aov::depth)] = true;
     key.light_groups = {"sun", "lamp"};
@@ -52,8 +54,7 @@ inline Film film_of(const FilmKey& key, const std::vector<std::uint32_t>& passes
 
 /// A film whose pass values are given by value(pass, pixel), grey.
 template <class Value>
-Film film_by_pass(int width, int height, std::uint32_t passes, const Value& value) {
-    const FilmKey key{width, height, {}, 1, 0, ""};
+Film film_by_pass(const FilmKey& key, std::uint32_t passes, const Value& value) {
     Film film(key);
     for (std::uint32_t pass = 0; pass < passes; ++pass) {
         PassImage image(key.pixels(), key.aovs);
@@ -62,6 +63,11 @@ Film film_by_pass(int width, int height, std::uint32_t passes, const Value& valu
         film.add_pass(pass, image);
     }
     return film;
+}
+
+template <class Value>
+Film film_by_pass(int width, int height, std::uint32_t passes, const Value& value) {
+    return film_by_pass(FilmKey{width, height, {}, 1, 0, ""}, passes, value);
 }
 
 /// The same by value(batch, pixel), of whole batches.

@@ -210,7 +210,7 @@ TEST_F(Checkpoints, errors_are_one_clear_line) {
     const std::string bytes = bytes_of(PhotonSampler::uniform, 1);
     EXPECT_EQ(fault_of(signed_again(with_word(bytes, 1, 8))),
               "x.ckpt: is a checkpoint of version 8; use the program that wrote it; this one reads "
-              "version 9");
+              "version 10");
     EXPECT_THROW(read_checkpoint(path("none.ckpt")), Error);
 }
 

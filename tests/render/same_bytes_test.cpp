@@ -45,6 +45,7 @@ struct Case {
     const char* name;
     const char* material;
     IndirectLight indirect = IndirectLight::photons;
+    bool starts_small = false;
 };
 
 class SameBytes : public ::testing::TestWithParam<Case> {};
@@ -53,6 +54,7 @@ TEST_P(SameBytes, with_any_number_of_threads_and_in_any_order) {
     const Scene scene = scene_of(scene_text(GetParam().material));
     RenderSettings settings = settings_of(Integrator::sppm);
     settings.transport.indirect = GetParam().indirect;
+    if (GetParam().starts_small) settings.large_picture = 0;
     std::vector<std::uint32_t> order(kPasses);
     for (std::uint32_t p = 0; p < kPasses; ++p) order[p] = p;
     const Film whole = [&] {
@@ -79,6 +81,9 @@ INSTANTIATE_TEST_SUITE_P(Scenes, SameBytes,
                                            Case{"glass",
                                                 "\"dielectric\" \"spectrum eta\" \"glass-F11\""},
                                            Case{"glossy", "\"conductor\" \"float roughness\" 0.2"},
+                                           Case{"glass_and_small_passes",
+                                                "\"dielectric\" \"spectrum eta\" \"glass-F11\"",
+                                                IndirectLight::photons, true},
                                            Case{"glass_and_long_camera_paths",
                                                 "\"dielectric\" \"spectrum eta\" \"glass-F11\"",
                                                 IndirectLight::sampled}),

@@ -35,16 +35,5 @@ TEST(RadiusSchedule, squared_radius_falls_like_a_power) {
     }
 }
 
-TEST(RadiusSchedule, area_of_passes_is_their_mean) {
-    for (const double alpha : {0.3, kAlpha}) {
-        for (const std::uint32_t begin : {0U, 4U, 112U}) {
-            double sum = 0;
-            for (std::uint32_t p = begin; p < begin + 16; ++p)
-                sum += std::pow(radius_factor(p, alpha), 2);
-            EXPECT_NEAR(mean_area(begin, begin + 16, alpha), sum / 16, 1e-14) << begin;
-        }
-    }
-}
-
 }  // namespace
 }  // namespace sunfleck::engine
