@@ -55,13 +55,15 @@ sunfleck_module(visible_points ONE_BY_ONE NEEDS module_bsdf module_geometry modu
 sunfleck_module(scene NEEDS module_material module_light module_camera)
 sunfleck_module(import_pbrt FOLDER import/pbrt ALONE materials texture_kinds world_directives
   NEEDS module_scene module_import_ply)
+sunfleck_module(import_gltf FOLDER import/gltf ONE_BY_ONE
+  NEEDS module_scene nlohmann_json::nlohmann_json)
 sunfleck_module(camera_paths NEEDS module_scene module_visible_points module_random_numbers)
 sunfleck_module(photon ONE_BY_ONE NEEDS module_scene module_visible_points module_chains)
 sunfleck_module(estimate NEEDS module_scene module_visible_points)
 sunfleck_module(film NEEDS module_image module_visible_points nlohmann_json::nlohmann_json)
 sunfleck_module(reference NEEDS module_scene module_aovs module_random_numbers)
 sunfleck_module(compare NEEDS module_image nlohmann_json::nlohmann_json)
-sunfleck_module(import NEEDS module_import_pbrt)
+sunfleck_module(import NEEDS module_import_pbrt module_import_gltf)
 sunfleck_module(ranks NEEDS module_film)
 sunfleck_module(photon_samplers NEEDS module_photon module_estimate)
 sunfleck_module(stages NEEDS module_camera_paths module_photon_samplers module_film)

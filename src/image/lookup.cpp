@@ -2,6 +2,7 @@
 #include "image/lookup.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace sunfleck::engine {
 namespace {
@@ -20,20 +21,27 @@ void fold(int& along, int& across, int n, int across_n) {
     across = across_n - 1 - across;
 }
 
-Values texel(const Image& image, int x, int y, Wrap wrap) {
-    const Vec2i& n = image.resolution();
-    const bool inside = x >= 0 && x < n.x && y >= 0 && y < n.y;
-    if (!inside) {
-        if (wrap == Wrap::black) return {};
-        if (wrap == Wrap::repeat) return image.at(modulo(x, n.x), modulo(y, n.y));
-        if (wrap == Wrap::octahedral_sphere) {
-            fold(x, y, n.x, n.y);
-            fold(y, x, n.y, n.x);
-        }
-        x = std::clamp(x, 0, n.x - 1);
-        y = std::clamp(y, 0, n.y - 1);
+/// Returns the index of a texel within the image, or nothing for one that is black.
+std::optional<int> within(int i, int n, Wrap wrap) {
+    if (i >= 0 && i < n) return i;
+    if (wrap == Wrap::black) return {};
+    if (wrap == Wrap::repeat) return modulo(i, n);
+    if (wrap == Wrap::mirror) {
+        const int twice = modulo(i, 2 * n);
+        return twice < n ? twice : 2 * n - 1 - twice;
     }
-    return image.at(x, y);
+    return std::clamp(i, 0, n - 1);
+}
+
+Values texel(const Image& image, int x, int y, const Wraps& wraps) {
+    const Vec2i& n = image.resolution();
+    if (wraps.across == Wrap::octahedral_sphere) {
+        fold(x, y, n.x, n.y);
+        fold(y, x, n.y, n.x);
+    }
+    const auto column = within(x, n.x, wraps.across);
+    const auto row = within(y, n.y, wraps.down);
+    return column && row ? image.at(*column, *row) : Values{};
 }
 
 /// Converts a coordinate to texels, limited to the range of int.
@@ -45,17 +53,17 @@ float in_texels(float place, int n) {
 
 }  // namespace
 
-std::array<float, 4> bilinear(const Image& image, const Vec2& place, Wrap wrap) {
+std::array<float, 4> bilinear(const Image& image, const Vec2& place, const Wraps& wraps) {
     const float x = in_texels(place.x, image.resolution().x) - 0.5F;
     const float y = in_texels(place.y, image.resolution().y) - 0.5F;
     const float left = std::floor(x);
     const float top = std::floor(y);
     const auto column = static_cast<int>(left);
     const auto row = static_cast<int>(top);
-    const Values v00 = texel(image, column, row, wrap);
-    const Values v10 = texel(image, column + 1, row, wrap);
-    const Values v01 = texel(image, column, row + 1, wrap);
-    const Values v11 = texel(image, column + 1, row + 1, wrap);
+    const Values v00 = texel(image, column, row, wraps);
+    const Values v10 = texel(image, column + 1, row, wraps);
+    const Values v01 = texel(image, column, row + 1, wraps);
+    const Values v11 = texel(image, column + 1, row + 1, wraps);
     const float right = x - left;
     const float below = y - top;
     Values result;
@@ -67,10 +75,10 @@ std::array<float, 4> bilinear(const Image& image, const Vec2& place, Wrap wrap) 
     return result;
 }
 
-std::array<float, 4> nearest(const Image& image, const Vec2& place, Wrap wrap) {
+std::array<float, 4> nearest(const Image& image, const Vec2& place, const Wraps& wraps) {
     const float x = std::floor(in_texels(place.x, image.resolution().x));
     const float y = std::floor(in_texels(place.y, image.resolution().y));
-    return texel(image, static_cast<int>(x), static_cast<int>(y), wrap);
+    return texel(image, static_cast<int>(x), static_cast<int>(y), wraps);
 }
 
 }  // namespace sunfleck::engine

@@ -1,7 +1,8 @@
-// Selects the importer for a scene file; pbrt-v4 is the only format so far.
+// Selects the importer for a scene file by its ending: glTF, or else pbrt-v4.
 #include "import/load.h"
 
 #include "core/small_letters.h"
+#include "import/gltf/reader.h"
 #include "import/pbrt/reader.h"
 #include "sunfleck/error.h"
 
@@ -14,9 +15,7 @@ SceneDescription load_scene(const std::string& path) {
         throw Error({"scene"}, "the name of the scene's file is empty", "give the name of a file");
     if (path == "-") return read_pbrt_input();
     const std::string ending = small_letters(std::filesystem::path(path).extension().string());
-    if (ending == ".gltf" || ending == ".glb")
-        throw Error({path}, "is a glTF scene; only pbrt-v4 scenes can be read",
-                    "convert it to pbrt-v4");
+    if (ending == ".gltf" || ending == ".glb") return read_gltf(path);
     return read_pbrt(path);
 }
 

@@ -35,10 +35,14 @@ struct PerturbedBy {
     }
 
     Tangents operator()(const NormalMap& map) const {
-        const auto v = bilinear(*map.image, {hit.uv.x, 1 - hit.uv.y}, Wrap::repeat);
+        const Vec2 st = place(map.mapping, TexturePoint(hit, origin));
+        const auto v = bilinear(*map.image, {st.x, 1 - st.y}, map.wraps);
         const bool grey = map.image->channels() == 1;
-        const Vec3 local(2 * v[0] - 1, 2 * v[grey ? 0 : 1] - 1, 2 * v[grey ? 0 : 2] - 1);
         const Frame frame(hit.shading_normal, surface.dp_du);
+        const float side = map.follows_v && frame.y.dot(surface.dp_dv) < 0 ? -1.0F : 1.0F;
+        const Vec3 local((2 * v[0] - 1) * map.strength,
+                         (2 * v[grey ? 0 : 1] - 1) * (side * map.strength),
+                         2 * v[grey ? 0 : 2] - 1);
         const Vec3 normal = frame.to_world(local).normalized();
         const Vec3 u = surface.dp_du - normal * normal.dot(surface.dp_du);
         return {u, normal.cross(u)};

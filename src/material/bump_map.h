@@ -22,6 +22,10 @@ struct DisplacementMap {
 /// outside.
 struct NormalMap {
     std::shared_ptr<const Image> image;
+    Mapping mapping = UvMapping{};
+    Wraps wraps = Wrap::repeat;
+    float strength = 1;      // factor of the slopes
+    bool follows_v = false;  // the bitangent is on the side of dp/dv (glTF), not of normal x dp/du
 };
 
 using BumpMap = std::variant<std::monostate, DisplacementMap, NormalMap>;

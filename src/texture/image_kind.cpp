@@ -9,7 +9,7 @@ namespace {
 std::array<float, 4> texel(const ImageKind& m, const TexturePoint& point) {
     const Vec2 st = place(m.mapping, point);
     const Vec2 from_top(st.x, 1 - st.y);
-    return m.nearest ? nearest(*m.image, from_top, m.wrap) : bilinear(*m.image, from_top, m.wrap);
+    return m.nearest ? nearest(*m.image, from_top, m.wraps) : bilinear(*m.image, from_top, m.wraps);
 }
 
 float scaled(const ImageKind& m, float value) {

@@ -20,7 +20,7 @@ enum class ColourUse {
 struct ImageKind {
     Mapping mapping;
     std::shared_ptr<const Image> image;
-    Wrap wrap = Wrap::repeat;
+    Wraps wraps = Wrap::repeat;
     bool nearest = false;
     float scale = 1;
     bool invert = false;  // use one minus the scaled value, at least zero

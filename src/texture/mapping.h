@@ -34,6 +34,16 @@ struct UvMapping {
     Vec2 at(const TexturePoint& point) const { return point.uv * scale + shift; }
 };
 
+/// (u dot uv, v dot uv) + shift.
+struct TurnedUvMapping {
+    Vec2 u{1, 0};
+    Vec2 v{0, 1};
+    Vec2 shift{0, 0};
+    Vec2 at(const TexturePoint& point) const {
+        return Vec2(u.dot(point.uv), v.dot(point.uv)) + shift;
+    }
+};
+
 /// The angle from the z axis over pi; azimuth over 2 pi.
 struct SphericalMapping {
     Affine to_texture;
@@ -55,7 +65,8 @@ struct PlanarMapping {
     Vec2 at(const TexturePoint& point) const;
 };
 
-using Mapping = std::variant<UvMapping, SphericalMapping, CylindricalMapping, PlanarMapping>;
+using Mapping =
+    std::variant<UvMapping, TurnedUvMapping, SphericalMapping, CylindricalMapping, PlanarMapping>;
 
 inline Vec2 place(const Mapping& mapping, const TexturePoint& point) {
     return std::visit([&](const auto& m) { return m.at(point); }, mapping);

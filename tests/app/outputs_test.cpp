@@ -189,7 +189,7 @@ TEST_F(Outputs, and_other_defaults_are_told) {
 TEST_F(Outputs, need_a_scene_that_can_be_read) {
     write_text(path("lamp.GLB"), "glTF");
     expect_refused({"render", "lamp.GLB", "-o", "x.exr"},
-                   "lamp.GLB: is a glTF scene; only pbrt-v4 scenes can be read; convert it");
+                   "lamp.GLB: ends in its head; export or copy the file again");
     expect_refused({"info", "."}, ".: \".\" is a folder; name a file in it");
 }
 

@@ -13,8 +13,8 @@ Image numbered() {
     return {{4, 2}, 1, std::vector<float>{0, 1, 2, 3, 10, 11, 12, 13}};
 }
 
-float at(float s, float t, Wrap wrap) {
-    return bilinear(numbered(), {s, t}, wrap)[0];
+float at(float s, float t, const Wraps& wraps) {
+    return bilinear(numbered(), {s, t}, wraps)[0];
 }
 
 float near(float s, float t, Wrap wrap) {
@@ -33,6 +33,10 @@ TEST(Lookup, beyond_the_edges_is_what_the_wrap_says) {
     EXPECT_FLOAT_EQ(at(0, 0.25F, Wrap::clamp), 0);
     EXPECT_FLOAT_EQ(at(0, 0.25F, Wrap::repeat), 1.5F);
     EXPECT_FLOAT_EQ(at(-7, 3.25F, Wrap::repeat), 1.5F);
+    EXPECT_FLOAT_EQ(at(0, 0.25F, Wrap::mirror), 0);
+    EXPECT_FLOAT_EQ(at(1.125F, 0.25F, Wrap::mirror), 3);
+    EXPECT_FLOAT_EQ(at(-0.375F, 0.25F, Wrap::mirror), 1);
+    EXPECT_FLOAT_EQ(at(1.125F, 1.25F, {Wrap::clamp, Wrap::repeat}), 3);
     EXPECT_FLOAT_EQ(at(1, 0.75F, Wrap::black), 6.5F);
     EXPECT_FLOAT_EQ(at(1.2F, 0.75F, Wrap::black), 0);
     EXPECT_FLOAT_EQ(at(5, -5, Wrap::clamp), 3);

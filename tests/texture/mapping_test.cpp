@@ -26,6 +26,8 @@ Affine moved() {
 }
 
 TEST(Mapping, uv_is_scaled_and_shifted) {
+    expect_near(place(TurnedUvMapping{{0, 2}, {-3, 0}, {0.5F, -1}}, at({9, 9, 9}, {0.25F, 0.5F})),
+                {1.5F, -1.75F});
     expect_near(place(UvMapping{{2, 3}, {0.5F, -1}}, at({9, 9, 9}, {0.25F, 0.5F})), {1, 0.5F});
 }
 

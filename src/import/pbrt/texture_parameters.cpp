@@ -71,7 +71,7 @@ ImageKind image_of(const TextureInput& input, ImageTable& images, ImportLog& log
         throw Error(statement.where, "an imagemap without a file", "add \"string filename\"");
     ImageKind kind;
     kind.mapping = mapping_of(input);
-    kind.wrap = static_cast<Wrap>(input.choice("wrap", kWraps));
+    kind.wraps = static_cast<Wrap>(input.choice("wrap", kWraps));
     const std::size_t filter = input.choice("filter", kFilters);
     kind.nearest = filter == 1;
     if (filter > 1)

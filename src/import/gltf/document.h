@@ -1,0 +1,58 @@
+// GltfDocument: a glTF 2.0 file, with its buffers in memory.
+//
+// In:  a .gltf file with its parts beside it or in data URIs, or a .glb file. Out: JSON with places
+// for messages, and the bytes of buffer views.
+// Source: Khronos Group, glTF 2.0 Specification (2021), sections 3.6 and 4.
+#pragma once
+
+#include "core/input_file.h"
+#include "import/gltf/json_place.h"
+
+#include <nlohmann/json.hpp>
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sunfleck::engine {
+
+class GltfDocument {
+public:
+    /// Reads a file and its buffers.
+    /// @throws Error  for what is not glTF 2.0, is damaged or misses a part: for all parts at once.
+    explicit GltfDocument(const std::string& path);
+
+    JsonPlace root() const { return {json_, path_, ""}; }
+    /// Returns element `index` of a list of the root, such as "meshes". @param index  in the list.
+    JsonPlace element(std::string_view list, const JsonPlace& index) const;
+
+    /// Returns the bytes of a buffer view. @param view  of "bufferViews".
+    /// @throws Error  for one beyond its buffer.
+    std::string_view bytes_of(const JsonPlace& view) const;
+
+    /// Reads a file beside the scene, and lists it. A missing one is noted, and its bytes are
+    /// empty.
+    std::string read(const std::string& uri, const JsonPlace& from);
+    /// @throws Error  that names all files that are missing, if any are.
+    void check_missing() const;
+
+    const std::string& path() const { return path_; }
+    /// Returns the paths of all files that were read, the main one among them.
+    const std::vector<std::string>& files() const { return files_; }
+
+private:
+    void parse(std::string bytes);
+    void parse_binary(std::string_view bytes);
+    void parse_json(std::string_view text);
+    void load_buffers();
+
+    std::string path_;
+    nlohmann::json json_;
+    std::string chunk_;                 // binary chunk of a .glb
+    std::vector<std::string> buffers_;  // as many as "buffers" has
+    std::vector<std::string> files_;
+    std::vector<MissingFile> missing_;
+};
+
+}  // namespace sunfleck::engine

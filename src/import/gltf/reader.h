@@ -1,0 +1,15 @@
+// Reader of glTF 2.0 scenes (.gltf, .glb); docs/reference/gltf.md lists what is read and what is
+// approximated.
+#pragma once
+
+#include "scene/description.h"
+
+#include <string>
+
+namespace sunfleck::engine {
+
+/// Reads a scene. SceneDescription::warnings lists what is not simulated as asked.
+/// @throws Error  for what is not glTF 2.0, is damaged, or requires an extension that is not read.
+SceneDescription read_gltf(const std::string& path);
+
+}  // namespace sunfleck::engine

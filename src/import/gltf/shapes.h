@@ -1,0 +1,43 @@
+// Shapes of a node's mesh, with their materials; glass divided into solid and thin.
+#pragma once
+
+#include "import/gltf/materials.h"
+#include "import/gltf/meshes.h"
+
+#include <vector>
+
+namespace sunfleck::engine {
+
+class GltfShapes {
+public:
+    /// All must outlive this.
+    GltfShapes(GltfDocument& document, const Accessors& accessors, const GltfNodes& nodes,
+               SceneDescription& scene);
+
+    /// Returns the shapes of a mesh as a node shows it, in the mesh's own frame; in the world if
+    /// the node has a skin.
+    std::vector<ShapeDescription> of(const JsonPlace& node, const JsonPlace& mesh);
+
+private:
+    /// A primitive.
+    struct Part {
+        TriangleMesh mesh;
+        const GltfLook* look;
+        SourceLocation where;
+    };
+
+    std::vector<Part> parts_of(const JsonPlace& node, const JsonPlace& mesh);
+    static ShapeDescription shape_of(const Part& part, TriangleMesh mesh);
+    void add_glass(const Part& part, const std::vector<bool>& closed,
+                   std::vector<ShapeDescription>& shapes);
+    ShapeDescription pane_of(const Part& part, TriangleMesh mesh);
+    ShapeDescription solid_of(const Part& part, TriangleMesh mesh);
+
+    const GltfDocument& document_;
+    const Accessors& accessors_;
+    const GltfNodes& nodes_;
+    SceneDescription& scene_;
+    GltfMaterials materials_;
+};
+
+}  // namespace sunfleck::engine

@@ -1,0 +1,178 @@
+// Images from files, data URIs and buffer views; samplers and texture transforms.
+#include "import/gltf/textures.h"
+
+#include "core/parallel.h"
+#include "image/read_image.h"
+#include "import/gltf/uri.h"
+#include "math/trigonometry.h"
+
+#include <algorithm>
+
+namespace sunfleck::engine {
+namespace {
+
+/// Bytes of an image, and what to call them in messages.
+struct Encoded {
+    std::string bytes;
+    std::string name;
+};
+
+Encoded encoded_image(GltfDocument& document, const JsonPlace& image) {
+    if (const auto view = image.find("bufferView"))
+        return {std::string(document.bytes_of(document.element("bufferViews", *view))),
+                image.where().file};
+    const JsonPlace uri = image.at("uri");
+    const std::string text = uri.text();
+    if (!is_data_uri(text)) return {document.read(text, uri), without_escapes(text)};
+    auto data = data_of(text);
+    if (!data) uri.refuse("is not valid base64", "export the file again");
+    return {std::move(data->bytes), uri.where().file};
+}
+
+/// Returns 8-bit texels under another encoding; floats and halves are linear as they are.
+Image encoded_as(const Image& image, Encoding::Kind kind) {
+    return {image.resolution(), image.channels(), image.texels(), Encoding{kind}};
+}
+
+Image channel_of(const Image& image, std::size_t channel) {
+    const Vec2i size = image.resolution();
+    std::vector<half> texels;
+    texels.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    const bool grey = image.channels() < 3;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) texels.emplace_back(image.at(x, y).at(grey ? 0 : channel));
+    return {size, 1, std::move(texels)};
+}
+
+constexpr std::uint64_t kClamp = 33071;
+constexpr std::uint64_t kMirror = 33648;
+constexpr std::uint64_t kNearest = 9728;
+
+Wrap wrap_of(std::uint64_t code) {
+    if (code == kClamp) return Wrap::clamp;
+    return code == kMirror ? Wrap::mirror : Wrap::repeat;
+}
+
+/// Returns the map of (u, 1 - v) that KHR_texture_transform asks for of (u, v).
+TurnedUvMapping mapping_of(const JsonPlace& transform) {
+    const auto pair = [&](std::string_view key, double fallback) {
+        const auto found = transform.find(key);
+        return found ? found->numbers(2) : std::vector<double>{fallback, fallback};
+    };
+    const std::vector<double> offset = pair("offset", 0);
+    const std::vector<double> scale = pair("scale", 1);
+    const auto [sine, cosine] = sin_cos_2pi(transform.number("rotation", 0) / (2 * kPiDouble));
+    // In the file's v, downwards: u' = cos su u + sin sv v + ou, v' = -sin su u + cos sv v + ov.
+    const auto number = [](double x) { return static_cast<float>(x); };
+    TurnedUvMapping map;
+    map.u = {number(cosine * scale[0]), number(-sine * scale[1])};
+    map.v = {number(sine * scale[0]), number(cosine * scale[1])};
+    map.shift = {number(offset[0] + sine * scale[1]), number(1 - offset[1] - cosine * scale[1])};
+    return map;
+}
+
+}  // namespace
+
+GltfTextures::GltfTextures(GltfDocument& document, Warnings& warnings)
+    : document_(document), warnings_(warnings) {
+    const std::size_t count = document.root().elements("images").size();
+    images_.resize(count);
+    std::vector<std::size_t> used;
+    for (const JsonPlace& texture : document.root().elements("textures"))
+        if (const auto source = source_of(texture)) used.push_back(source->index(count, "image"));
+    std::sort(used.begin(), used.end());
+    used.erase(std::unique(used.begin(), used.end()), used.end());
+    load(used);
+}
+
+/// Returns the image of a texture; nothing if there is none that can be read.
+std::optional<JsonPlace> GltfTextures::source_of(const JsonPlace& texture) const {
+    return texture.find("source");
+}
+
+void GltfTextures::load(const std::vector<std::size_t>& numbers) {
+    const std::vector<JsonPlace> all = document_.root().elements("images");
+    std::vector<Encoded> files;
+    for (const std::size_t number : numbers) files.push_back(encoded_image(document_, all[number]));
+    document_.check_missing();
+    std::vector<std::optional<Error>> faults(numbers.size());
+    parallel_for(numbers.size(), [&](std::size_t i) {
+        try {
+            images_[numbers[i]] = std::make_shared<const Image>(
+                parse_image(files[i].bytes, files[i].name, Encoding{Encoding::Kind::linear}));
+        } catch (const Error& fault) {
+            faults[i] = fault;
+        }
+    });
+    for (std::size_t i = 0; i < faults.size(); ++i)
+        if (faults[i]) throw faults[i]->asked_for_at(all[numbers[i]].where());
+}
+
+std::shared_ptr<const Image> GltfTextures::image_of(std::size_t number, TexelUse use) {
+    std::shared_ptr<const Image>& made = made_[{number, use}];
+    if (made) return made;
+    const Image& stored = *images_[number];
+    if (use == TexelUse::colour) {
+        made = std::make_shared<const Image>(encoded_as(stored, Encoding::Kind::srgb));
+    } else {
+        const Image linear = encoded_as(stored, Encoding::Kind::linear);
+        const auto channel =
+            static_cast<std::size_t>(use) - static_cast<std::size_t>(TexelUse::red);
+        made = std::make_shared<const Image>(use == TexelUse::linear ? linear
+                                                                     : channel_of(linear, channel));
+    }
+    return made;
+}
+
+std::optional<GltfTextures::Slot> GltfTextures::find(const JsonPlace& holder, std::string_view key,
+                                                     TexelUse use,
+                                                     std::optional<std::uint64_t>& of_material) {
+    const auto info = holder.find(key);
+    if (!info) return {};
+    const JsonPlace texture = document_.element("textures", info->at("index"));
+    const auto source = source_of(texture);
+    if (!source) {
+        warnings_.add(texture.where(),
+                      "has no image that can be read (WebP and KTX2 cannot): the "
+                      "texture is left out");
+        return {};
+    }
+    ImageKind image;
+    std::uint64_t uv_set = info->whole("texCoord", 0);
+    image.image = image_of(source->index(images_.size(), "image"), use);
+    if (const auto index = texture.find("sampler")) {
+        const JsonPlace sampler = document_.element("samplers", *index);
+        image.wraps = {wrap_of(sampler.whole("wrapS", 0)), wrap_of(sampler.whole("wrapT", 0))};
+        image.nearest = sampler.whole("magFilter", 0) == kNearest;
+    }
+    if (const auto transform = info->extension("KHR_texture_transform")) {
+        image.mapping = mapping_of(*transform);
+        uv_set = transform->whole("texCoord", uv_set);
+    }
+    if (of_material.value_or(uv_set) != uv_set) {
+        warnings_.add(info->where(),
+                      "has other texture coordinates than the material's first: the "
+                      "texture is left out");
+        return {};
+    }
+    of_material = uv_set;
+    return Slot{std::move(image), *info};
+}
+
+std::shared_ptr<const Image> coloured(std::shared_ptr<const Image> image, const Vec3d& by) {
+    if (by == Vec3d(1)) return image;
+    const Vec2i size = image->resolution();
+    const int channels = image->channels() == 4 ? 4 : 3;
+    std::vector<half> texels;
+    texels.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
+                   static_cast<std::size_t>(channels));
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const Vec3 rgb = image->rgb(x, y);
+            for (int c = 0; c < 3; ++c) texels.emplace_back(rgb[c] * static_cast<float>(by[c]));
+            if (channels == 4) texels.emplace_back(image->at(x, y)[3]);
+        }
+    return std::make_shared<const Image>(size, channels, std::move(texels));
+}
+
+}  // namespace sunfleck::engine

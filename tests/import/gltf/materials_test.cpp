@@ -1,0 +1,113 @@
+// Materials: what each part of a glTF material becomes.
+#include "import/gltf/materials.h"
+
+#include "gltf_files.h"
+#include "import/gltf/units.h"
+#include "math/wavelengths.h"
+
+namespace sunfleck::engine {
+namespace {
+
+using testing_support::expect_same;
+using testing_support::square_json;
+using testing_support::warns;
+
+class GltfMaterial : public testing_support::GltfFiles {
+protected:
+    static std::string scene_of(const std::string& material) {
+        return R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{)" + material +
+               "}]," + square_json(R"(,"material":0)");
+    }
+    /// The scene of one square of this material.
+    SceneDescription with(const std::string& material) const { return read(scene_of(material)); }
+
+    static const Material& material_of(const SceneDescription& scene) {
+        return scene.materials.at(scene.shapes.at(0).material);
+    }
+};
+
+TEST_F(GltfMaterial, that_is_missing_is_white_metal_of_roughness_one) {
+    const SceneDescription scene =
+        read(R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)" + square_json());
+    const auto& metal = std::get<ConductorMaterial>(material_of(scene));
+    EXPECT_EQ(metal.reflectance->curve().to_rgb(), Spectrum::constant(1).to_rgb());
+    EXPECT_EQ(metal.roughness.u.constant(), 1);
+    EXPECT_TRUE(metal.roughness.gives_back);
+}
+
+TEST_F(GltfMaterial, of_no_metal_is_a_base_under_a_coat) {
+    const SceneDescription scene = with(
+        R"("pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0.5,"baseColorFactor":[0.2,0.4,0.6,1]},
+"extensions":{"KHR_materials_ior":{"ior":1.8}})");
+    const auto& plastic = std::get<CoatedDiffuseMaterial>(material_of(scene));
+    expect_same(plastic.reflectance.curve(), Spectrum::rgb_albedo({0.2F, 0.4F, 0.6F}));
+    EXPECT_FLOAT_EQ(plastic.coat->eta(), 1.8F);
+    EXPECT_FLOAT_EQ(plastic.coat->facets()->alpha_x, 0.25F) << "alpha is roughness squared";
+    EXPECT_TRUE(plastic.whole);
+}
+
+TEST_F(GltfMaterial, half_metal_is_a_mix) {
+    const SceneDescription scene = with(R"("pbrMetallicRoughness":{"metallicFactor":0.5})");
+    const auto& mix = std::get<MixMaterial>(material_of(scene));
+    EXPECT_EQ(mix.amount.constant(), 0.5F);
+    EXPECT_TRUE(std::holds_alternative<CoatedDiffuseMaterial>(scene.materials[mix.components[0]]));
+    EXPECT_TRUE(std::holds_alternative<ConductorMaterial>(scene.materials[mix.components[1]]));
+}
+
+/// A square is open: glass in it is a pane, solid or not.
+TEST_F(GltfMaterial, glass_of_an_open_surface_is_thin) {
+    const SceneDescription scene =
+        with(R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":1},
+"KHR_materials_volume":{"thicknessFactor":1}})");
+    EXPECT_TRUE(std::holds_alternative<ThinDielectricMaterial>(material_of(scene)));
+    EXPECT_TRUE(warns(scene,
+                      "meshes[0].primitives[0]: warning: glass has a volume, but its "
+                      "surface is open: it is a thin pane"));
+}
+
+/// Indices of the lines d, F and C are those that Abbe's number was defined by.
+TEST_F(GltfMaterial, dispersion_is_cauchys_law) {
+    const SceneDescription scene =
+        with(R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":1},
+"KHR_materials_ior":{"ior":1.6},"KHR_materials_dispersion":{"dispersion":0.5}})");
+    const Spectrum& eta = std::get<ThinDielectricMaterial>(material_of(scene)).eta;
+    const auto at = [&](float nm) { return static_cast<double>(eta(nm)); };
+    EXPECT_NEAR(at(587.56F), 1.6, 1e-5);
+    EXPECT_NEAR((at(587.56F) - 1) / (at(486.13F) - at(656.27F)), 20 / 0.5, 0.05);
+}
+
+TEST_F(GltfMaterial, emission_is_in_nits) {
+    const SceneDescription scene = with(R"("emissiveFactor":[1,1,1],"doubleSided":true,
+"extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":683}})");
+    const AreaEmission& emission = *scene.shapes[0].emission;
+    EXPECT_NEAR(emission.radiance.luminance(), 1, 1e-3);
+    EXPECT_TRUE(emission.two_sided);
+    EXPECT_FALSE(with("").shapes[0].emission);
+}
+
+TEST_F(GltfMaterial, alpha_cuts_or_thins) {
+    const auto cover = [&](const std::string& mode) {
+        const SceneDescription scene =
+            with(R"("pbrMetallicRoughness":{"baseColorFactor":[1,1,1,0.3]},"alphaMode":")" + mode);
+        const Cover& of_shape = scene.shapes[0].placed.cover;
+        return of_shape ? of_shape(Hit()) : 1;
+    };
+    EXPECT_EQ(cover(R"(OPAQUE")"), 1);
+    EXPECT_EQ(cover(R"(BLEND")"), 0.3F);
+    EXPECT_EQ(cover(R"(MASK")"), 0);
+    EXPECT_EQ(cover(R"(MASK","alphaCutoff":0.3)"), 1);
+    EXPECT_EQ(fault_of(scene_of(R"("alphaMode":"HALF")")),
+              "scene.gltf: materials[0].alphaMode: is no mode of alpha; write OPAQUE, MASK or "
+              "BLEND");
+}
+
+TEST_F(GltfMaterial, numbers_out_of_range_are_refused) {
+    EXPECT_EQ(fault_of(scene_of(R"("pbrMetallicRoughness":{"metallicFactor":1.5})")),
+              "scene.gltf: materials[0].pbrMetallicRoughness.metallicFactor: is out of range; "
+              "write a number of 0.0 to 1.0");
+    EXPECT_NE(fault_of(scene_of(R"("extensions":{"KHR_materials_ior":{"ior":0.5}})")), "");
+    EXPECT_NE(fault_of(scene_of(R"("emissiveFactor":[1,1])")), "");
+}
+
+}  // namespace
+}  // namespace sunfleck::engine

@@ -1,0 +1,93 @@
+// Frames of nodes: transforms in all forms, their order, and trees that are none.
+#include "import/gltf/nodes.h"
+
+#include "gltf_files.h"
+
+namespace sunfleck::engine {
+namespace {
+
+using testing_support::buffer_json;
+using testing_support::bytes_of;
+
+class GltfNodeTree : public testing_support::GltfFiles {
+protected:
+    /// Returns the frames of all nodes in the scene, instances each.
+    std::vector<Matrix> frames_of(const std::string& members) const {
+        const GltfDocument document(gltf(members));
+        const Accessors accessors(document);
+        const GltfNodes nodes(document, accessors);
+        std::vector<Matrix> frames;
+        for (const GltfNode& node : nodes.in_scene())
+            for (const Matrix& frame : nodes.instances_of(node)) frames.push_back(frame);
+        return frames;
+    }
+};
+
+void expect_image(const Matrix& frame, const Vec3d& point, const Vec3d& image) {
+    EXPECT_LT((point * frame - image).length(), 1e-6) << point * frame;
+}
+
+TEST_F(GltfNodeTree, scale_comes_before_rotation_before_translation) {
+    // A quarter turn about z: x becomes y.
+    const auto frames = frames_of(
+        R"("scenes":[{"nodes":[0]}],"nodes":[{"scale":[2,3,4],"translation":[10,20,30],
+"rotation":[0,0,0.70710678118,0.70710678118]}])");
+    ASSERT_EQ(frames.size(), 1U);
+    expect_image(frames[0], {1, 0, 0}, {10, 22, 30});
+    expect_image(frames[0], {0, 1, 0}, {7, 20, 30});
+    expect_image(frames[0], {0, 0, 1}, {10, 20, 34});
+}
+
+TEST_F(GltfNodeTree, matrices_are_given_column_by_column) {
+    const auto frames = frames_of(
+        R"("scenes":[{"nodes":[0]}],"nodes":[{"matrix":[0,2,0,0, -3,0,0,0, 0,0,4,0, 10,20,30,1]}])");
+    expect_image(frames.at(0), {1, 0, 0}, {10, 22, 30});
+    expect_image(frames.at(0), {0, 1, 0}, {7, 20, 30});
+}
+
+TEST_F(GltfNodeTree, children_are_in_the_frame_of_their_parent) {
+    const auto frames = frames_of(R"("scene":1,"scenes":[{"nodes":[2]},{"nodes":[0]}],
+"nodes":[{"children":[1],"translation":[1,0,0],"scale":[2,2,2]},{"translation":[0,5,0]},{}])");
+    ASSERT_EQ(frames.size(), 2U) << "those of the chosen scene";
+    expect_image(frames[1], {0, 0, 1}, {1, 10, 2});
+}
+
+TEST_F(GltfNodeTree, instances_have_frames_within_their_node) {
+    const std::string bytes = bytes_of<float>({1, 0, 0, 0, 1, 0});
+    const auto frames =
+        frames_of(buffer_json(bytes) +
+                  R"(,"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":2}],
+"scenes":[{"nodes":[0]}],"nodes":[{"scale":[2,2,2],"extensions":{"EXT_mesh_gpu_instancing":
+{"attributes":{"TRANSLATION":0}}}}])");
+    ASSERT_EQ(frames.size(), 2U);
+    expect_image(frames[0], {0, 0, 0}, {2, 0, 0});
+    expect_image(frames[1], {0, 0, 1}, {0, 2, 2});
+}
+
+TEST_F(GltfNodeTree, loops_and_second_parents_are_refused) {
+    EXPECT_EQ(fault_of(R"("scenes":[{"nodes":[0]}],"nodes":[{"children":[1]},{"children":[0]}])"),
+              "scene.gltf: nodes[1].children[0]: makes node 0 part of the scene twice; give each "
+              "node one parent");
+    EXPECT_NE(fault_of(R"("scenes":[{"nodes":[0,0]}],"nodes":[{}])"), "");
+    EXPECT_NE(fault_of(R"("scenes":[{"nodes":[1]}],"nodes":[{}])"), "");
+    EXPECT_NE(fault_of(R"("scenes":[{"nodes":[0]}],"nodes":[{"rotation":[0,0,0,0]}])"), "");
+    EXPECT_NE(fault_of(R"("scenes":[{"nodes":[0]}],"nodes":[{"scale":[1,2]}])"), "");
+}
+
+/// No recursion: a chain of any length.
+TEST_F(GltfNodeTree, may_be_deep) {
+    constexpr int kDeep = 20'000;
+    std::string members = R"("scenes":[{"nodes":[)";
+    members += std::to_string(kDeep);
+    members += R"(]}],"nodes":[{})";
+    for (int i = 0; i < kDeep; ++i) {
+        members += R"(,{"children":[)";
+        members += std::to_string(i);
+        members += "]}";
+    }
+    members += "]";
+    EXPECT_EQ(frames_of(members).size(), kDeep + 1U);
+}
+
+}  // namespace
+}  // namespace sunfleck::engine

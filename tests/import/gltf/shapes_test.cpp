@@ -1,0 +1,76 @@
+// Shapes of meshes: solid glass with its medium, instances, sharing.
+#include "import/gltf/shapes.h"
+
+#include "gltf_files.h"
+
+#include <cmath>
+
+namespace sunfleck::engine {
+namespace {
+
+using testing_support::buffer_json;
+using testing_support::bytes_of;
+using testing_support::expect_same;
+using testing_support::square_json;
+
+class GltfShape : public testing_support::GltfFiles {
+protected:
+    /// A tetrahedron of side 1 along the axes, outside out, of glass.
+    static std::string glass(const std::string& extensions) {
+        const std::string bytes = bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1}) +
+                                  bytes_of<std::uint16_t>({0, 2, 1, 0, 1, 3, 0, 3, 2, 1, 2, 3});
+        return R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)" + buffer_json(bytes) +
+               R"(,"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":4},
+{"bufferView":0,"byteOffset":48,"componentType":5123,"type":"SCALAR","count":12}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],
+"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,1,1,1],"roughnessFactor":0},
+"extensions":{"KHR_materials_transmission":{"transmissionFactor":1})" +
+               extensions + "}}]";
+    }
+    static constexpr double kChord = 4 * (1.0 / 6) / (1.5 + 0.8660254);
+};
+
+/// Whether or not its exporter has given it a volume.
+TEST_F(GltfShape, glass_of_a_closed_surface_is_solid) {
+    const SceneDescription scene = read(glass(""));
+    ASSERT_EQ(scene.shapes.size(), 1U);
+    const ShapeDescription& shape = scene.shapes[0];
+    EXPECT_TRUE(std::holds_alternative<DielectricMaterial>(scene.materials[shape.material]));
+    EXPECT_EQ(shape.media, (MediumSides{1, 0}));
+    // A straight way of mean length has half of the red.
+    const auto red = static_cast<float>(std::log(2) / kChord);
+    expect_same(scene.media.absorption.at(1), Spectrum::rgb_unbounded({red, 0, 0}));
+}
+
+TEST_F(GltfShape, volumes_absorb_by_beers_law) {
+    const SceneDescription scene =
+        read(glass(R"(,"KHR_materials_volume":{"thicknessFactor":1,"attenuationDistance":2,
+"attenuationColor":[1,0.25,1]})"));
+    const auto red = static_cast<float>(std::log(2) / kChord);
+    const auto green = static_cast<float>(std::log(4) / 2);
+    expect_same(scene.media.absorption.at(1), Spectrum::rgb_unbounded({red, green, 0}));
+}
+
+TEST_F(GltfShape, a_mesh_of_several_nodes_is_one_object) {
+    const SceneDescription scene = read(
+        R"("scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0},{"mesh":0,"translation":[5,0,0]}],)" +
+        square_json());
+    EXPECT_TRUE(scene.shapes.empty());
+    ASSERT_EQ(scene.objects.size(), 1U);
+    ASSERT_EQ(scene.instances.size(), 2U);
+    EXPECT_EQ(scene.instances[1].to_world[3][0], 5);
+}
+
+/// Lights cannot be parts of objects.
+TEST_F(GltfShape, a_mesh_that_shines_stands_for_itself) {
+    const SceneDescription scene =
+        read(R"("scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0},{"mesh":0,"translation":[5,0,0]}],
+"materials":[{"emissiveFactor":[1,1,1]}],)" +
+             square_json(R"(,"material":0)"));
+    EXPECT_TRUE(scene.instances.empty());
+    ASSERT_EQ(scene.shapes.size(), 2U);
+    EXPECT_EQ(scene.shapes[1].placed.to_world[3][0], 5);
+}
+
+}  // namespace
+}  // namespace sunfleck::engine
