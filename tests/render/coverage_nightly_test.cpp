@@ -29,6 +29,7 @@ struct Case {
     std::string scene;
     std::uint32_t paths;  // a pass
     int renders;
+    bool starts_small = false;  // as a large picture does
 };
 
 /// Of a test's name.
@@ -50,6 +51,7 @@ protected:
         const Scene scene = procedural(GetParam().scene, kSize);
         RenderSettings settings;
         settings.photon.paths_per_pass = GetParam().paths;
+        if (GetParam().starts_small) settings.large_picture = 0;
         for (int seed = 0; seed < GetParam().renders; ++seed) {
             settings.seed = static_cast<std::uint64_t>(seed);
             render(scene, settings);
@@ -117,8 +119,6 @@ INSTANTIATE_TEST_SUITE_P(Scenes, Coverage,
 
 class EarlyCoverage : public Coverage {
 protected:
-    static constexpr std::uint32_t kEarlyBatches = 4;
-
     /// Blocks by render with errors as they are reported, by the passes at which a batch ends.
     static std::map<std::uint64_t, std::vector<Blocks>> early_renders() {
         std::map<std::uint64_t, std::vector<Blocks>> all;
@@ -130,7 +130,7 @@ protected:
             all[passes].push_back(std::move(blocks));
         };
         for_seeds([&](const Scene& scene, const RenderSettings& settings) {
-            film_of_batches(scene, settings, kEarlyBatches, see);
+            film_of_batches(scene, settings, GetParam().starts_small ? 1 : 4, see);
         });
         return all;
     }
@@ -153,11 +153,20 @@ Case early(const std::string& scene) {
     return {name, scene, 10'000, 40};
 }
 
+Case early_small(const std::string& scene) {
+    Case of_scene = early(scene);
+    of_scene.name += "_small";
+    of_scene.starts_small = true;
+    return of_scene;
+}
+
 INSTANTIATE_TEST_SUITE_P(Scenes, EarlyCoverage,
                          testing::Values(early("cornell"), early("room"), early("iced-tea"),
                                          early("window-room"), early("cognac-2"), early("cognac-4"),
                                          early("statue-near"), early("diamond"), early("magnifier"),
-                                         early("two-windows")),
+                                         early("two-windows"), early_small("cornell"),
+                                         early_small("room"), early_small("cognac-2"),
+                                         early_small("window-room")),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace

@@ -17,6 +17,7 @@ Film film_of_batches(const Scene& scene, const RenderSettings& settings, std::ui
     FilmKey key;
     key.width = window.width();
     key.height = window.height();
+    key.small_passes = small_passes(settings, key.pixels());
     Film film(key);
     std::optional<Epoch> epoch;
     for (std::uint32_t p = 0; p < batches * kBatchPasses; ++p) {

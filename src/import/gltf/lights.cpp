@@ -4,13 +4,10 @@
 #include "import/gltf/units.h"
 #include "math/trigonometry.h"
 
-#include <limits>
 #include <string>
 
 namespace sunfleck::engine {
 namespace {
-
-constexpr double kMost = std::numeric_limits<double>::infinity();
 
 Vec3d axis_of(const Matrix& to_world) {
     return -Vec3d(to_world[2][0], to_world[2][1], to_world[2][2]).normalized();
@@ -29,7 +26,7 @@ SpotLight spot_of(const JsonPlace& light) {
 }
 
 Light made_light(const JsonPlace& light, const Matrix& to_world) {
-    const double intensity = light.number("intensity", 1, 0, kMost) / kLumensPerWatt;
+    const double intensity = light.number("intensity", 1, 0, kMostLight) / kLumensPerWatt;
     const Spectrum curve = Spectrum::rgb_illuminant(Vec3(light.triple("color", Vec3d(1))))
                                .scaled(static_cast<float>(intensity));
     const Vec3d position(to_world[3][0], to_world[3][1], to_world[3][2]);

@@ -128,8 +128,7 @@ std::optional<AreaEmission> emission_of(const JsonPlace& material, GltfTextures&
     Vec3d colour = material.triple("emissiveFactor", Vec3d(0));
     double strength = 1;
     if (const auto extension = material.extension("KHR_materials_emissive_strength"))
-        strength = extension->number("emissiveStrength", 1, 0, kMost);
-    if (material.extension("KHR_materials_unlit")) return {};
+        strength = extension->number("emissiveStrength", 1, 0, kMostLight);
     if (!(std::max({colour.x, colour.y, colour.z}) * strength > 0)) return {};
     AreaEmission emission;
     emission.two_sided = material.flag("doubleSided", false);
@@ -176,8 +175,11 @@ std::uint32_t GltfMaterials::add_opaque(const GltfPbr& pbr, double ior, const Bu
     const auto is_always = [&](float value) {
         return metallic.is_constant() && metallic.constant() == value;
     };
-    if (is_always(0)) return add(plastic_of(pbr, ior), bump_map);
     if (is_always(1)) return add(metal_of(pbr), bump_map);
+    if (pbr.green)
+        scene_.warnings.add(pbr.green->place.where(),
+                            "what is not metal takes the mean of this texture's roughness");
+    if (is_always(0)) return add(plastic_of(pbr, ior), bump_map);
     const std::uint32_t plastic = add(plastic_of(pbr, ior), bump_map);
     const std::uint32_t metal = add(metal_of(pbr), bump_map);
     return add(MixMaterial{{plastic, metal}, metallic}, bump_map);

@@ -52,6 +52,15 @@ Matrix local_frame(const JsonPlace& node) {
                     node.triple("translation", Vec3d(0)));
 }
 
+/// @throws Error  for a frame that floats cannot hold.
+void check_size(const JsonPlace& node, const Matrix& frame) {
+    constexpr double kMost = 1e15;
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < 4; ++j)
+            if (!(std::abs(frame[i][j]) <= kMost))
+                node.refuse("has a place or scale beyond 10^15", "make the scene smaller");
+}
+
 /// Returns the numbers of the scene's roots.
 std::vector<JsonPlace> roots_of(const GltfDocument& document) {
     const JsonPlace root = document.root();
@@ -87,6 +96,7 @@ GltfNodes::GltfNodes(const GltfDocument& document, const Accessors& accessors)
         is_placed[number] = true;
         const JsonPlace node = document.element("nodes", next.number);
         to_world_[number] = local_frame(node) * next.parent;
+        check_size(node, to_world_[number]);
         in_scene_.push_back({node, to_world_[number]});
         add_all(node.elements("children"), to_world_[number]);
     }

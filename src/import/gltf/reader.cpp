@@ -1,6 +1,7 @@
 // A scene from its nodes: shapes, instances, lights, view.
 #include "import/gltf/reader.h"
 
+#include "geometry/affine.h"
 #include "import/gltf/lights.h"
 #include "import/gltf/shapes.h"
 #include "import/gltf/units.h"
@@ -17,12 +18,12 @@ namespace sunfleck::engine {
 namespace {
 
 /// Extensions that are read. Others are named in a warning, or refused where they are required.
-constexpr std::array<std::string_view, 10> kExtensions = {
+constexpr std::array<std::string_view, 9> kExtensions = {
     "EXT_mesh_gpu_instancing",  "KHR_lights_punctual",
     "KHR_materials_dispersion", "KHR_materials_emissive_strength",
     "KHR_materials_ior",        "KHR_materials_transmission",
-    "KHR_materials_unlit",      "KHR_materials_volume",
-    "KHR_mesh_quantization",    "KHR_texture_transform"};
+    "KHR_materials_volume",     "KHR_mesh_quantization",
+    "KHR_texture_transform"};
 
 /// Extensions that change no picture.
 bool is_harmless(std::string_view name) {
@@ -112,6 +113,10 @@ private:
         if (!shared_.contains(number)) shared_.emplace(number, shared_of(node, mesh));
         const Shared& shared = shared_.at(number);
         for (const Matrix& frame : nodes_.instances_of(node)) {
+            if (!Affine(frame).is_invertible()) {
+                scene_.warnings.add(node.place.where(), "is flat or too small, and left out");
+                continue;
+            }
             if (shared.object) scene_.instances.push_back({*shared.object, frame});
             for (ShapeDescription shape : shared.emitting) {
                 shape.placed.to_world = frame;

@@ -50,6 +50,7 @@ TEST_F(GltfLights, that_cannot_be_are_refused) {
               "scene.gltf: extensions.KHR_lights_punctual.lights[0].type: is no type of light; "
               "write point, spot or directional");
     EXPECT_NE(fault_of(scene_of(R"("type":"point","intensity":-1)")), "");
+    EXPECT_NE(fault_of(scene_of(R"("type":"point","intensity":1e40)")), "");
 }
 
 TEST_F(GltfLights, a_scene_without_any_has_a_white_sky_and_says_so) {

@@ -72,6 +72,8 @@ TEST_F(GltfNodeTree, loops_and_second_parents_are_refused) {
     EXPECT_NE(fault_of(R"("scenes":[{"nodes":[1]}],"nodes":[{}])"), "");
     EXPECT_NE(fault_of(R"("scenes":[{"nodes":[0]}],"nodes":[{"rotation":[0,0,0,0]}])"), "");
     EXPECT_NE(fault_of(R"("scenes":[{"nodes":[0]}],"nodes":[{"scale":[1,2]}])"), "");
+    EXPECT_EQ(fault_of(R"("scenes":[{"nodes":[0]}],"nodes":[{"translation":[1e300,0,0]}])"),
+              "scene.gltf: nodes[0]: has a place or scale beyond 10^15; make the scene smaller");
 }
 
 /// No recursion: a chain of any length.

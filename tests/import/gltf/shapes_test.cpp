@@ -61,6 +61,14 @@ TEST_F(GltfShape, a_mesh_of_several_nodes_is_one_object) {
     EXPECT_EQ(scene.instances[1].to_world[3][0], 5);
 }
 
+TEST_F(GltfShape, copies_without_an_extent_are_left_out) {
+    const SceneDescription scene =
+        read(R"("scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0},{"mesh":0,"scale":[0,1,1]}],)" +
+             square_json());
+    EXPECT_EQ(scene.instances.size(), 1U);
+    EXPECT_TRUE(testing_support::warns(scene, "nodes[1]: warning: is flat or too small"));
+}
+
 /// Lights cannot be parts of objects.
 TEST_F(GltfShape, a_mesh_that_shines_stands_for_itself) {
     const SceneDescription scene =
