@@ -11,20 +11,24 @@ namespace {
 
 /// Indices in a batch at which groups begin and end.
 constexpr std::array<std::uint64_t, 7> kEnds = {0, 1, 2, 4, 8, 12, kBatchPasses};
+/// The same of the first batch, whose groups are early batches (batches.h).
+constexpr std::array<std::uint64_t, 8> kEndsInFirst = {0, 1, 2, 4, 6, 8, 12, kBatchPasses};
 
-/// Returns the index in kEnds at which the smallest group of a pass ends.
-std::size_t end_of(std::uint64_t index_in_batch) {
+/// Returns the range between two ends that holds an index.
+template <std::size_t N>
+PassRange range_around(std::uint64_t index, const std::array<std::uint64_t, N>& ends) {
     std::size_t end = 1;
-    while (index_in_batch >= kEnds[end]) ++end;
-    return end;
+    while (index >= ends[end]) ++end;
+    return {ends[end - 1], ends[end]};
 }
 
 }  // namespace
 
 PassRange smallest_group(std::uint64_t pass) {
-    const std::uint64_t index = pass % kBatchPasses;
-    const std::size_t end = end_of(index);
-    return {pass - index + kEnds[end - 1], pass - index + kEnds[end]};
+    if (pass < kBatchPasses) return range_around(pass, kEndsInFirst);
+    const std::uint64_t batch = pass / kBatchPasses * kBatchPasses;
+    const PassRange within = range_around(pass - batch, kEnds);
+    return {batch + within.begin, batch + within.end};
 }
 
 PassRange group_of(const PassSet& passes, std::uint64_t pass) {

@@ -18,7 +18,7 @@ namespace sunfleck::engine {
 PassRange group_of(const PassSet& passes, std::uint64_t pass);
 
 /// Returns the group of that pass where no others are joined to it: pass 0 or 1 of a batch, or
-/// passes 2-3, 4-7, 8-11 or 12-15.
+/// passes 2-3, 4-7, 8-11 or 12-15; in the first batch 4-5 and 6-7 are groups of their own.
 PassRange smallest_group(std::uint64_t pass);
 
 /// Returns the groups of open batches that contain passes, ascending.

@@ -1,9 +1,9 @@
 // Weights of the passes of a film.
 //
 // The first passes of a large picture are small, so that the picture and its error come early
-// (render/pass.h): an eighth of the photon paths, and one camera path a pixel. Their variance is
-// about eight times that of others, so each counts an eighth in all means. Where this file's
-// callers speak of a number of passes of a mean, a small pass is an eighth of one.
+// (render/pass.h): a quarter of the photon paths, and one camera path a pixel. Their variance is
+// about four times that of others, so each counts a quarter in all means. Where this file's callers
+// speak of a number of passes of a mean, a small pass is a quarter of one.
 #pragma once
 
 #include "film/film_key.h"
@@ -18,7 +18,7 @@ namespace sunfleck::engine {
 /// batch, are evenly spread (pass_groups.h): those of two would not be.
 inline constexpr std::uint64_t kSmallPasses = 4;
 /// A small pass is 2^-kSmallPassBits of another.
-inline constexpr unsigned kSmallPassBits = 3;
+inline constexpr unsigned kSmallPassBits = 2;
 
 inline bool is_small(const FilmKey& key, std::uint64_t pass) {
     return pass < key.small_passes;

@@ -42,7 +42,7 @@ TEST_F(Merge, writes_every_format_and_statistics) {
     EXPECT_EQ(read_text(path("whole.exr")), read_text(path("x.exr")));
     const auto stats = json("x.json");
     EXPECT_EQ(stats["passes"], 32);
-    EXPECT_EQ(stats["batches"], 7);  // six of them early
+    EXPECT_EQ(stats["batches"], 8);  // seven of them early
     EXPECT_GT(stats["photon_paths"]["guided"], 50'000);
     EXPECT_EQ(stats["photon_paths"], json("whole.json")["photon_paths"]);
 }

@@ -52,7 +52,7 @@ TEST_F(Stats, add_up) {
     EXPECT_EQ(s["isa"], "avx2");
     EXPECT_EQ(s["resolution"], (nlohmann::json{16, 12}));
     EXPECT_EQ(s["passes"], 32);
-    EXPECT_EQ(s["batches"], 7);  // six of them early
+    EXPECT_EQ(s["batches"], 8);  // seven of them early
     const auto& paths = s["photon_paths"];
     EXPECT_EQ(paths["uniform"], 32 * 2000);
     EXPECT_LE(paths["uniform_visible"], paths["uniform"]);

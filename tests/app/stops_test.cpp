@@ -61,7 +61,7 @@ TEST_F(Stops, target_error_ends_at_the_first_batch_that_reaches_it) {
     ASSERT_GT(passes, 64) << "later batches have 16 passes: take a smaller error";
     const auto before = stats_of(few + Words{"--passes", std::to_string(passes - 16)});
     EXPECT_GT(before["image"]["target_error"], 0.02);
-    EXPECT_EQ(stats_of(few + Words{"--target-error", "0.5"})["passes"], 8);
+    EXPECT_EQ(stats_of(few + Words{"--target-error", "0.5"})["passes"], 6);
 }
 
 /// The squares of what is so dark are lost below the unit of exact sums: no error would be seen.

@@ -29,9 +29,9 @@ TEST(Batches, whole_ones_have_sixteen_passes) {
 TEST(Batches, early_ones_are_groups_of_the_first_whole_one) {
     EXPECT_EQ(early_batches(set_of({{0, 3}})), (Ranges{{0, 1}, {1, 2}}));
     EXPECT_EQ(early_batches(set_of({{1, 9}, {12, 40}})),
-              (Ranges{{1, 2}, {2, 4}, {4, 8}, {12, 16}}));
+              (Ranges{{1, 2}, {2, 4}, {4, 6}, {6, 8}, {12, 16}}));
     EXPECT_EQ(early_batches(set_of({{0, 63}})),
-              (Ranges{{0, 1}, {1, 2}, {2, 4}, {4, 8}, {8, 12}, {12, 16}}));
+              (Ranges{{0, 1}, {1, 2}, {2, 4}, {4, 6}, {6, 8}, {8, 12}, {12, 16}}));
     EXPECT_EQ(early_batches(set_of({{16, 48}})), Ranges());
 }
 
@@ -44,10 +44,10 @@ TEST(Batches, four_whole_ones_end_early_ones) {
 
 TEST(Batches, each_pass_counts_in_one) {
     expect_complete({{0, 1}}, 1, 1);
-    expect_complete({{0, 8}}, 4, 8);
-    expect_complete({{0, 16}}, 6, 16);
-    expect_complete({{0, 40}}, 7, 32);
-    expect_complete({{0, 7}, {16, 48}}, 3 + 2, 4 + 32);
+    expect_complete({{0, 8}}, 5, 8);
+    expect_complete({{0, 16}}, 7, 16);
+    expect_complete({{0, 40}}, 8, 32);
+    expect_complete({{0, 7}, {16, 48}}, 4 + 2, 6 + 32);
     expect_complete({{0, 64}}, 4, 64);
     expect_complete({{0, 7}, {16, 80}}, 4, 64);
 }
@@ -58,9 +58,9 @@ TEST(Batches, count_by_the_weights_of_their_passes) {
     const auto passes = [&](const Ranges& ranges) {
         return complete_batches(key, set_of(ranges)).passes;
     };
-    EXPECT_EQ(passes({{0, 3}}), 0.25);
-    EXPECT_EQ(passes({{0, 32}}), 0.25 + 30);
-    EXPECT_EQ(passes({{0, 64}}), 0.25 + 62);
+    EXPECT_EQ(passes({{0, 3}}), 0.5);
+    EXPECT_EQ(passes({{0, 32}}), 0.5 + 30);
+    EXPECT_EQ(passes({{0, 64}}), 0.5 + 62);
     EXPECT_EQ(passes({{16, 80}}), 64);
 }
 
@@ -76,7 +76,7 @@ TEST(Batches, end_where_errors_change) {
     std::vector<std::uint64_t> ends;
     for (std::uint64_t pass = 0; pass < 48; pass = ends.back())
         ends.push_back(next_batch_end(pass));
-    EXPECT_EQ(ends, (std::vector<std::uint64_t>{1, 2, 4, 8, 12, 16, 32, 48}));
+    EXPECT_EQ(ends, (std::vector<std::uint64_t>{1, 2, 4, 6, 8, 12, 16, 32, 48}));
     EXPECT_EQ(next_batch_end(21), 32U);
 }
 
@@ -92,7 +92,7 @@ TEST(Batches, have_the_mean_area_of_their_passes) {
     EXPECT_NEAR(area_of(key, {112, 128}), sum / 16, 1e-14);
     key.small_passes = 2;
     const double third = 1.5 / 2 * 2.5 / 3;
-    EXPECT_NEAR(area_of(key, {0, 3}), ((1 + 1.5 / 2) / 8 + third) / (1 + 2.0 / 8), 1e-15);
+    EXPECT_NEAR(area_of(key, {0, 3}), ((1 + 1.5 / 2) / 4 + third) / (1 + 2.0 / 4), 1e-15);
 }
 
 }  // namespace

@@ -51,7 +51,7 @@ TEST(DiscAreas, are_sums_over_batches_and_passes) {
     EXPECT_NEAR(areas->mean_of_passes, of_picture / count, 1e-14);
 }
 
-/// Of passes 0 to 39: six early batches, and a whole one.
+/// Of passes 0 to 39: seven early batches, and a whole one.
 TEST(DiscAreas, of_early_batches_count_as_often_as_these_have_passes) {
     const auto areas = disc_areas(dark(numbers(0, 40)));
     ASSERT_TRUE(areas);
@@ -59,7 +59,7 @@ TEST(DiscAreas, of_early_batches_count_as_often_as_these_have_passes) {
     double mean = 0;
     double squares = 0;
     for (const PassRange& batch :
-         {PassRange{0, 1}, {1, 2}, {2, 4}, {4, 8}, {8, 12}, {12, 16}, {16, 32}}) {
+         {PassRange{0, 1}, {1, 2}, {2, 4}, {4, 6}, {6, 8}, {8, 12}, {12, 16}, {16, 32}}) {
         double of_batch = 0;
         for (std::uint64_t pass = batch.begin; pass < batch.end; ++pass)
             of_batch += area(static_cast<std::uint32_t>(pass)) / static_cast<double>(batch.size());
@@ -71,22 +71,22 @@ TEST(DiscAreas, of_early_batches_count_as_often_as_these_have_passes) {
     EXPECT_EQ(areas->divisor, 0) << "of pixels nothing is known";
 }
 
-TEST(DiscAreas, of_small_passes_count_an_eighth) {
+TEST(DiscAreas, of_small_passes_count_a_quarter) {
     FilmKey key = line_key(1, 1, 1);
     key.small_passes = 2;
     const auto areas = disc_areas(
         line_film(key, numbers(0, 64), [](std::size_t) { return testing_support::Line{}; }));
     ASSERT_TRUE(areas);
-    EXPECT_EQ(areas->complete.passes, 62.25);
+    EXPECT_EQ(areas->complete.passes, 62.5);
     double sum = 0;
-    for (std::uint32_t pass = 0; pass < 64; ++pass) sum += area(pass) * (pass < 2 ? 0.125 : 1);
-    EXPECT_NEAR(areas->mean, sum / 62.25, 1e-14);
-    EXPECT_NEAR(areas->mean_of_passes, sum / 62.25, 1e-14);
+    for (std::uint32_t pass = 0; pass < 64; ++pass) sum += area(pass) * (pass < 2 ? 0.25 : 1);
+    EXPECT_NEAR(areas->mean, sum / 62.5, 1e-14);
+    EXPECT_NEAR(areas->mean_of_passes, sum / 62.5, 1e-14);
 }
 
 TEST(DiscAreas, need_four_complete_batches_and_discs) {
-    EXPECT_FALSE(disc_areas(dark(numbers(0, 7))));
-    EXPECT_TRUE(disc_areas(dark(numbers(0, 8))));
+    EXPECT_FALSE(disc_areas(dark(numbers(0, 5))));
+    EXPECT_TRUE(disc_areas(dark(numbers(0, 6))));
     EXPECT_FALSE(disc_areas(dark(numbers(16, 79))));
     FilmKey key = testing_support::small_key();
     key.alpha = 0;

@@ -110,12 +110,12 @@ TEST(ErrorBars, are_known_from_two_passes_on) {
 }
 
 TEST(ErrorBars, two_whole_batches_by_hand) {
-    // Six early batches of 1, a whole one of 3, and an open one of 100 that must not count:
-    // the mean is 2, a pass has a variance of 32 / 6, and there are 32 of them.
+    // Seven early batches of 1, a whole one of 3, and an open one of 100 that must not count:
+    // the mean is 2, a pass has a variance of 32 / 7, and there are 32 of them.
     const Film film = film_by_batch(3, 2, 37, [](std::uint32_t batch, std::size_t) {
         return batch == 0 ? 1.0F : batch == 1 ? 3.0F : 100.0F;
     });
-    const double error = std::sqrt(1.0 / 6);
+    const double error = std::sqrt(1.0 / 7);
     EXPECT_NEAR(pixel_errors(film)[4].mean, 2, 1e-12);
     EXPECT_NEAR(pixel_errors(film)[4].standard_error, error, 1e-12);
     EXPECT_NEAR(block_errors(film)[0].mean, 2, 1e-12);

@@ -137,13 +137,13 @@ TEST(Film, what_photons_bring_is_summed_by_area) {
         EXPECT_NEAR(sums.photons.rgb_by_area[c].to_double(),
                     (2 + 4) * area_of(key, {0, 16}) + 8 * area_of(key, {16, 32}), 1e-15);
         EXPECT_EQ(sums.open_groups.at(2).photon_blocks[c].to_double(), 2);
-        EXPECT_EQ(sums.open_groups.at(4).photon_blocks[c].to_double(), 4);
+        EXPECT_EQ(sums.open_groups.at(6).photon_blocks[c].to_double(), 4);
         EXPECT_EQ(sums.open_groups.at(20).photon_blocks[c].to_double(), 8);
     }
 }
 
 /// Small passes of 8 and 24, others of 2: each in proportion to its weight.
-TEST(Film, small_passes_count_an_eighth) {
+TEST(Film, small_passes_count_a_quarter) {
     FilmKey key{1, 1, {}, 1, 1, ""};
     key.alpha = 0.5;
     key.small_passes = 2;
@@ -153,17 +153,17 @@ TEST(Film, small_passes_count_an_eighth) {
         image.add_light(0, Vec3(pass == 0 ? 8 : pass == 1 ? 24 : 2), Aov::caustic);
         film.add_pass(pass, image);
     }
-    EXPECT_EQ(film.weight(), 14.25);
+    EXPECT_EQ(film.weight(), 14.5);
     const FilmSums& sums = film.sums();
-    EXPECT_EQ(sums.aovs[0][0].to_double(), 1 + 3 + 14 * 2);
-    EXPECT_EQ(sums.photons.rgb[0].to_double(), 1 + 3 + 14 * 2);
+    EXPECT_EQ(sums.aovs[0][0].to_double(), 2 + 6 + 14 * 2);
+    EXPECT_EQ(sums.photons.rgb[0].to_double(), 2 + 6 + 14 * 2);
     // The mean of the batch, squared, as often as it has passes of sixteen.
-    const double mean = (1 + 3 + 14 * 2) / 14.25;
-    EXPECT_NEAR(sums.pixel_squares[0].to_double(), mean * mean * 14.25 / 16, 1e-12);
-    EXPECT_NEAR(sums.photons.block_squares[0].to_double(), mean * mean * 14.25 / 16, 1e-12);
-    // Early batches of 1/8, 1/8, 2, 4, 4, 4 passes, less the whole one.
-    const double of_early = (8 * 8 + 24 * 24) / 8.0 + 14 * 2 * 2;
-    EXPECT_NEAR(sums.early.pixel_squares[0].to_double(), of_early - 14.25 * mean * mean, 1e-12);
+    const double mean = (2 + 6 + 14 * 2) / 14.5;
+    EXPECT_NEAR(sums.pixel_squares[0].to_double(), mean * mean * 14.5 / 16, 1e-12);
+    EXPECT_NEAR(sums.photons.block_squares[0].to_double(), mean * mean * 14.5 / 16, 1e-12);
+    // Early batches of 1/4, 1/4, 2, 2, 2, 4, 4 passes, less the whole one.
+    const double of_early = (8 * 8 + 24 * 24) / 4.0 + 14 * 2 * 2;
+    EXPECT_NEAR(sums.early.pixel_squares[0].to_double(), of_early - 14.5 * mean * mean, 1e-12);
 }
 
 TEST(Film, squares_of_what_photons_bring_are_those_of_complete_batches) {

@@ -19,8 +19,8 @@ using testing_support::numbers;
 
 TEST(TargetError, needs_four_batches) {
     const FilmKey key = testing_support::small_key();
-    EXPECT_FALSE(target_error(testing_support::film_of(key, numbers(0, 7)), {}).has_value());
-    EXPECT_TRUE(target_error(testing_support::film_of(key, numbers(0, 8)), {}).has_value());
+    EXPECT_FALSE(target_error(testing_support::film_of(key, numbers(0, 5)), {}).has_value());
+    EXPECT_TRUE(target_error(testing_support::film_of(key, numbers(0, 6)), {}).has_value());
     EXPECT_FALSE(target_error(testing_support::film_of(key, numbers(16, 79)), {}).has_value());
 }
 

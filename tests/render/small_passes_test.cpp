@@ -1,4 +1,4 @@
-// The first passes of a large picture: an eighth of the work, and the same mean.
+// The first passes of a large picture: a quarter of the photons, and the same mean.
 #include "film/pass_weight.h"
 #include "math/statistics.h"
 #include "support/procedural.h"
@@ -36,7 +36,7 @@ double photon_paths(const PassResult& pass) {
     return static_cast<double>(paths);
 }
 
-TEST(SmallPasses, have_an_eighth_of_the_photon_paths_and_a_camera_path_a_pixel) {
+TEST(SmallPasses, have_a_quarter_of_the_photon_paths_and_a_camera_path_a_pixel) {
     const Scene scene = procedural("cognac-1", 20);
     const RenderSettings settings = settings_of(1);
     Epoch epoch = learn_epoch(scene, settings, 0);
@@ -45,7 +45,7 @@ TEST(SmallPasses, have_an_eighth_of_the_photon_paths_and_a_camera_path_a_pixel) 
     const PassResult next = render_pass(scene, settings, kSmallPasses, epoch);
     EXPECT_EQ(small.statistics[Count::camera_paths], 400U);
     EXPECT_EQ(next.statistics[Count::camera_paths], 800U);
-    EXPECT_NEAR(photon_paths(small), photon_paths(next) / 8, 8);
+    EXPECT_NEAR(photon_paths(small), photon_paths(next) / 4, 8);
 }
 
 /// Brightness of pass 0, small or not, over 200 seeds: the 99% interval of its ratio lies within

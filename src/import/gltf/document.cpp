@@ -87,6 +87,8 @@ void GltfDocument::parse_json(std::string_view text) {
     } catch (const nlohmann::json::parse_error& fault) {
         throw Error(location_of(path_, text, fault.byte > 0 ? fault.byte - 1 : 0),
                     "is not valid JSON here", "export or copy the file again");
+    } catch (const nlohmann::json::exception&) {
+        throw Error({path_}, "has a number that is too large for JSON", "export the file again");
     }
     if (!json_.is_object()) throw Error({path_}, "is JSON, but not a glTF scene", "name a scene");
 }

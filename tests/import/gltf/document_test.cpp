@@ -63,6 +63,8 @@ TEST_F(GltfDocuments, all_missing_files_are_named_at_once) {
 TEST_F(GltfDocuments, faults_are_told_with_their_place) {
     EXPECT_EQ(fault_of_file(written("a.gltf", "{\n \"asset\": }")),
               "a.gltf:2:11: is not valid JSON here; export or copy the file again");
+    EXPECT_EQ(fault_of_file(written("a.gltf", "{\"a\":1e999}")),
+              "a.gltf: has a number that is too large for JSON; export the file again");
     EXPECT_EQ(fault_of_file(written("a.gltf", "[1]")),
               "a.gltf: is JSON, but not a glTF scene; name a scene");
     EXPECT_EQ(fault_of_file(written("a.gltf", R"({"asset":{"version":"1.0"}})")),
