@@ -55,7 +55,7 @@ sunfleck_module(visible_points ONE_BY_ONE NEEDS module_bsdf module_geometry modu
 sunfleck_module(scene NEEDS module_material module_light module_camera)
 sunfleck_module(import_pbrt FOLDER import/pbrt ALONE materials texture_kinds world_directives
   NEEDS module_scene module_import_ply)
-sunfleck_module(import_gltf FOLDER import/gltf ONE_BY_ONE
+sunfleck_module(import_gltf FOLDER import/gltf
   NEEDS module_scene nlohmann_json::nlohmann_json)
 sunfleck_module(camera_paths NEEDS module_scene module_visible_points module_random_numbers)
 sunfleck_module(photon ONE_BY_ONE NEEDS module_scene module_visible_points module_chains)
