@@ -33,18 +33,24 @@ inline double weight_of(const FilmKey& key, std::uint64_t pass) {
     return is_small(key, pass) ? 1.0 / (1U << kSmallPassBits) : 1;
 }
 
+/// Returns the weight of so many passes, some of which are small.
+inline double weight_of(const FilmKey& key, std::uint64_t passes, std::uint64_t small) {
+    return static_cast<double>(passes) - (1 - weight_of(key, 0)) * static_cast<double>(small);
+}
+
+/// Returns the small passes of a range.
+inline PassRange small_in(const FilmKey& key, const PassRange& range) {
+    return {range.begin, std::clamp(key.small_passes, range.begin, range.end)};
+}
+
 /// Returns the sum of the weights of those passes of a range that are in the set.
 inline double weight_in(const FilmKey& key, const PassSet& passes, const PassRange& range) {
-    const PassRange small{range.begin, std::clamp(key.small_passes, range.begin, range.end)};
-    const auto count = static_cast<double>(passes.count_in(range));
-    return count - (1 - weight_of(key, 0)) * static_cast<double>(passes.count_in(small));
+    return weight_of(key, passes.count_in(range), passes.count_in(small_in(key, range)));
 }
 
 /// Returns the sum of the weights of all passes of a range.
 inline double weight_in(const FilmKey& key, const PassRange& range) {
-    PassSet all;
-    all.insert(range);
-    return weight_in(key, all, range);
+    return weight_of(key, range.size(), small_in(key, range).size());
 }
 
 }  // namespace sunfleck::engine

@@ -16,22 +16,15 @@
 namespace sunfleck::engine {
 namespace {
 
-/// What a pass has of its epoch's camera paths and photon paths.
-struct Share {
-    Log2Samples log2_samples;
-    std::vector<LightStratum> strata;
-};
-
-/// Returns all of it, or what a small pass has (film/pass_weight.h).
-Share share_of(const Epoch& epoch, bool is_small) {
-    if (!is_small) return {epoch.log2_samples, epoch.strata};
-    return {{}, fraction_of(epoch.strata, 1U << kSmallPassBits)};
-}
-
+/// @param is_small  whether the pass has a part of its epoch's paths (film/pass_weight.h).
 void render_sppm(const RenderSettings& settings, CameraPass camera, const Epoch& epoch,
                  bool is_small, SamplerState& state, PassResult& result) {
-    const Share share = share_of(epoch, is_small);
-    camera.log2_samples = share.log2_samples;
+    std::vector<LightStratum> fewer;
+    if (is_small)
+        fewer = fraction_of(epoch.strata, 1U << kSmallPassBits);
+    else
+        camera.log2_samples = epoch.log2_samples;
+    const std::vector<LightStratum>& strata = is_small ? fewer : epoch.strata;
     camera.edges = epoch.edges;
     Stopwatch watch;
     auto points = trace_camera_paths(camera, result.image, result.statistics);
@@ -42,7 +35,7 @@ void render_sppm(const RenderSettings& settings, CameraPass camera, const Epoch&
     const PhotonContext photon_context{camera.scene, camera.transport, index};
     const bool are_counted = result.image.has(Aov::samples);
     PhotonCounts taken(are_counted ? result.image.pixels() : 0);
-    PhotonTotals photons = trace_photons({photon_context, camera.id, share.strata, settings.photon},
+    PhotonTotals photons = trace_photons({photon_context, camera.id, strata, settings.photon},
                                          {result.image, are_counted ? &taken : nullptr}, state);
     result.seconds.photon += watch.lap();
     if (are_counted) add_samples(taken, result.image);

@@ -185,10 +185,6 @@ auto to_integers(const JsonPlace& accessor) {
 
 }  // namespace
 
-std::size_t Accessors::count(const JsonPlace& index) const {
-    return count_of(at(index));
-}
-
 std::vector<float> Accessors::scalars(const JsonPlace& index) const {
     const auto one = to_floats<1>(at(index));
     return all_of<float>(document_, at(index), 1,

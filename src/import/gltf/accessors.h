@@ -31,9 +31,6 @@ public:
     std::vector<std::uint32_t> indices(const JsonPlace& index) const;
     std::vector<std::array<std::uint32_t, 4>> index_quadruples(const JsonPlace& index) const;
 
-    /// Returns the number of elements.
-    std::size_t count(const JsonPlace& index) const;
-
 private:
     JsonPlace at(const JsonPlace& index) const { return document_.element("accessors", index); }
 

@@ -93,6 +93,11 @@ void GltfDocument::parse_json(std::string_view text) {
     if (!json_.is_object()) throw Error({path_}, "is JSON, but not a glTF scene", "name a scene");
 }
 
+std::size_t GltfDocument::count(std::string_view list) const {
+    const auto found = root().find(list);
+    return found ? found->size() : 0;
+}
+
 JsonPlace GltfDocument::element(std::string_view list, const JsonPlace& index) const {
     const auto all = root().find(list);
     if (!all)
@@ -101,13 +106,19 @@ JsonPlace GltfDocument::element(std::string_view list, const JsonPlace& index) c
     return (*all)[index.index(all->size(), list)];
 }
 
-std::string GltfDocument::read(const std::string& uri, const JsonPlace& from) {
-    const std::string name = without_escapes(uri);
-    if (name.empty()) from.refuse("is an empty name", "name the file");
+std::string GltfDocument::read(const JsonPlace& uri) {
+    const std::string text = uri.text();
+    if (is_data_uri(text)) {
+        auto data = data_of(text);
+        if (!data) uri.refuse("is not valid base64", "export the file again");
+        return std::move(data->bytes);
+    }
+    const std::string name = without_escapes(text);
+    if (name.empty()) uri.refuse("is an empty name", "name the file");
     const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
     const std::string path = (folder / name).lexically_normal().string();
     try {
-        std::string bytes = read_input_file(path, from.where());
+        std::string bytes = read_input_file(path, uri.where());
         if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
         return bytes;
     } catch (const MissingFile& missing) {
@@ -130,17 +141,7 @@ void GltfDocument::load_buffers() {
     for (const JsonPlace& buffer : root().elements("buffers")) {
         const std::uint64_t size = buffer.at("byteLength").whole();
         const auto uri = buffer.find("uri");
-        std::string bytes;
-        if (!uri) {
-            bytes = std::move(chunk_);
-        } else if (is_data_uri(uri->text())) {
-            auto data = data_of(uri->text());
-            if (!data) uri->refuse("is not valid base64", "export the file again");
-            bytes = std::move(data->bytes);
-        } else {
-            bytes = read(uri->text(), *uri);
-        }
-        buffers_.push_back(std::move(bytes));
+        buffers_.push_back(uri ? read(*uri) : std::move(chunk_));
         const bool is_missing = !missing_.empty() && buffers_.back().empty();
         if (buffers_.back().size() < size && !is_missing)
             buffer.refuse("has " + std::to_string(buffers_.back().size()) + " bytes of " +

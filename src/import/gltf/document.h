@@ -24,6 +24,8 @@ public:
     explicit GltfDocument(const std::string& path);
 
     JsonPlace root() const { return {json_, path_, ""}; }
+    /// Returns the number of elements of a list of the root; 0 if there is no such list.
+    std::size_t count(std::string_view list) const;
     /// Returns element `index` of a list of the root, such as "meshes". @param index  in the list.
     JsonPlace element(std::string_view list, const JsonPlace& index) const;
 
@@ -31,9 +33,9 @@ public:
     /// @throws Error  for one beyond its buffer.
     std::string_view bytes_of(const JsonPlace& view) const;
 
-    /// Reads a file beside the scene, and lists it. A missing one is noted, and its bytes are
-    /// empty.
-    std::string read(const std::string& uri, const JsonPlace& from);
+    /// Returns the bytes of a URI: of the data within, or of a file beside the scene, which is
+    /// listed. A missing file is noted, and its bytes are empty.
+    std::string read(const JsonPlace& uri);
     /// @throws Error  that names all files that are missing, if any are.
     void check_missing() const;
 

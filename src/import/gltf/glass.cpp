@@ -116,6 +116,14 @@ double mean_chord(const TriangleMesh& mesh) {
     return area > 0 ? 4 * std::abs(volume) / area : 0;
 }
 
+Vec3d absorption_over(double distance, const Vec3d& left) {
+    constexpr double kDarkest = 1e-6;
+    Vec3d absorption;
+    for (int c = 0; c < 3; ++c)
+        absorption[c] = -std::log(std::clamp(left[c], kDarkest, 1.0)) / distance;
+    return absorption;
+}
+
 TriangleMesh chosen_triangles(const TriangleMesh& mesh, const std::vector<bool>& chosen) {
     TriangleMesh part = mesh;
     part.triangles.clear();

@@ -20,6 +20,10 @@ std::vector<std::vector<bool>> closed_triangles(const std::vector<const Triangle
 /// area (Cauchy's theorem for convex bodies).
 double mean_chord(const TriangleMesh& mesh);
 
+/// Returns the absorption by which so much of each colour is left after a distance (Beer's law).
+/// @param distance  positive. @param left  at least a millionth counts.
+Vec3d absorption_over(double distance, const Vec3d& left);
+
 /// Returns the triangles that are chosen, with all vertices.
 TriangleMesh chosen_triangles(const TriangleMesh& mesh, const std::vector<bool>& chosen);
 

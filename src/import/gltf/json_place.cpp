@@ -54,13 +54,6 @@ std::vector<JsonPlace> JsonPlace::elements(std::string_view key) const {
     return found ? found->elements() : std::vector<JsonPlace>();
 }
 
-std::vector<std::string> JsonPlace::keys() const {
-    if (!value_->is_object()) refuse("is not an object", "write { } with its members");
-    std::vector<std::string> names;
-    for (const auto& [name, value] : value_->items()) names.push_back(name);
-    return names;
-}
-
 double JsonPlace::number() const {
     if (value_->is_number())
         if (const double x = value_->get<double>(); std::isfinite(x)) return x;

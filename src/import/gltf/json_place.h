@@ -34,8 +34,6 @@ public:
     std::vector<JsonPlace> elements() const;
     /// Returns the elements of a member that is an array; none if there is no such member.
     std::vector<JsonPlace> elements(std::string_view key) const;
-    /// Returns the names of the members.
-    std::vector<std::string> keys() const;
 
     /// Returns a finite number. @throws Error  for anything else.
     double number() const;

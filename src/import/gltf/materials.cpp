@@ -1,6 +1,7 @@
 // Conversion of materials, part by part.
 #include "import/gltf/materials.h"
 
+#include "import/gltf/glass.h"
 #include "import/gltf/units.h"
 #include "light/surface_image.h"
 
@@ -14,8 +15,6 @@ namespace sunfleck::engine {
 namespace {
 
 constexpr double kMost = std::numeric_limits<double>::infinity();
-/// Below it, a transmittance counts as this one, so that absorption is finite.
-constexpr double kDarkest = 1e-6;
 
 GltfPbr pbr_of(const std::optional<JsonPlace>& material, GltfTextures& textures) {
     GltfPbr pbr;
@@ -156,7 +155,7 @@ std::uint32_t GltfMaterials::add(Material material, const BumpMap& bump_map) {
 const GltfLook& GltfMaterials::look_of(const JsonPlace& primitive) {
     const auto number = primitive.find("material");
     std::optional<std::size_t> key;
-    if (number) key = number->index(document_.root().elements("materials").size(), "material");
+    if (number) key = number->index(document_.count("materials"), "material");
     const auto known = looks_.find(key);
     if (known != looks_.end()) return known->second;
     std::optional<JsonPlace> place;
@@ -212,10 +211,7 @@ void GltfMaterials::add_glass(const JsonPlace& material, GltfPbr& pbr, double io
         glass.has_volume = volume->number("thicknessFactor", 0, 0, kMost) > 0;
         const double distance = volume->number("attenuationDistance", kMost, 0, kMost);
         const Vec3d colour = volume->triple("attenuationColor", Vec3d(1));
-        Vec3d absorption(0);
-        for (int c = 0; c < 3; ++c)
-            absorption[c] = -std::log(std::clamp(colour[c], kDarkest, 1.0)) / distance;
-        if (glass.has_volume && distance > 0) glass.absorption = absorption;
+        if (glass.has_volume && distance > 0) glass.absorption = absorption_over(distance, colour);
     }
     look.material = mixed(DielectricMaterial{eta, roughness_of(pbr)});
     if (pbr.colour)

@@ -26,7 +26,7 @@ struct GltfLook {
     struct Glass {
         std::uint32_t pane = 0;
         Vec3d colour{1};
-        std::optional<Vec3d> absorption{};  // per metre, linear sRGB
+        Vec3d absorption{0};  // per metre, linear sRGB
         bool has_volume = false;
     };
     std::optional<Glass> glass{};

@@ -136,7 +136,7 @@ MeshPose pose_of(const GltfDocument& document, const GltfNodes& nodes, const Acc
     if (const auto inverse = skin.find("inverseBindMatrices"))
         bindings = accessors.matrices(*inverse);
     const std::vector<JsonPlace> joints = skin.elements("joints");
-    const std::size_t all_nodes = document.root().elements("nodes").size();
+    const std::size_t all_nodes = document.count("nodes");
     for (std::size_t j = 0; j < joints.size(); ++j) {
         Matrix binding;
         for (int k = 0; k < 16 && j < bindings.size(); ++k)

@@ -74,7 +74,7 @@ std::vector<JsonPlace> roots_of(const GltfDocument& document) {
 
 GltfNodes::GltfNodes(const GltfDocument& document, const Accessors& accessors)
     : accessors_(accessors) {
-    const std::size_t count = document.root().elements("nodes").size();
+    const std::size_t count = document.count("nodes");
     to_world_.resize(count);
     std::vector<bool> is_placed(count, false);
     struct Next {

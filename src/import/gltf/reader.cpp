@@ -69,8 +69,7 @@ public:
 
 private:
     std::size_t number_of(const JsonPlace& mesh) const {
-        const auto meshes = document_.root().find("meshes");
-        return mesh.index(meshes ? meshes->size() : 0, "mesh");
+        return mesh.index(document_.count("meshes"), "mesh");
     }
 
     void add_node(const GltfNode& node) {

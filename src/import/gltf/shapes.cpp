@@ -4,7 +4,6 @@
 #include "import/gltf/glass.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace sunfleck::engine {
@@ -82,12 +81,10 @@ ShapeDescription GltfShapes::pane_of(const Part& part, TriangleMesh mesh) {
 
 /// A straight way through solid glass of mean length has its colour.
 ShapeDescription GltfShapes::solid_of(const Part& part, TriangleMesh mesh) {
-    constexpr double kDarkest = 1e-6;  // so that absorption is finite
     const GltfLook::Glass& glass = *part.look->glass;
-    Vec3d absorption = glass.absorption.value_or(Vec3d(0));
+    Vec3d absorption = glass.absorption;
     const double chord = mean_chord(mesh);
-    for (int c = 0; c < 3 && chord > 0; ++c)
-        absorption[c] -= std::log(std::clamp(glass.colour[c], kDarkest, 1.0)) / chord;
+    if (chord > 0) absorption += absorption_over(chord, glass.colour);
     ShapeDescription shape = shape_of(part, std::move(mesh));
     if (absorption != Vec3d(0)) shape.media.inside = materials_.medium_of(absorption);
     return shape;

@@ -23,10 +23,7 @@ Encoded encoded_image(GltfDocument& document, const JsonPlace& image) {
                 image.where().file};
     const JsonPlace uri = image.at("uri");
     const std::string text = uri.text();
-    if (!is_data_uri(text)) return {document.read(text, uri), without_escapes(text)};
-    auto data = data_of(text);
-    if (!data) uri.refuse("is not valid base64", "export the file again");
-    return {std::move(data->bytes), uri.where().file};
+    return {document.read(uri), is_data_uri(text) ? uri.where().file : without_escapes(text)};
 }
 
 /// Returns 8-bit texels under another encoding; floats and halves are linear as they are.
@@ -75,19 +72,15 @@ TurnedUvMapping mapping_of(const JsonPlace& transform) {
 
 GltfTextures::GltfTextures(GltfDocument& document, Warnings& warnings)
     : document_(document), warnings_(warnings) {
-    const std::size_t count = document.root().elements("images").size();
+    const std::size_t count = document.count("images");
     images_.resize(count);
     std::vector<std::size_t> used;
     for (const JsonPlace& texture : document.root().elements("textures"))
-        if (const auto source = source_of(texture)) used.push_back(source->index(count, "image"));
+        if (const auto source = texture.find("source"))
+            used.push_back(source->index(count, "image"));
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     load(used);
-}
-
-/// Returns the image of a texture; nothing if there is none that can be read.
-std::optional<JsonPlace> GltfTextures::source_of(const JsonPlace& texture) const {
-    return texture.find("source");
 }
 
 void GltfTextures::load(const std::vector<std::size_t>& numbers) {
@@ -130,7 +123,7 @@ std::optional<GltfTextures::Slot> GltfTextures::find(const JsonPlace& holder, st
     const auto info = holder.find(key);
     if (!info) return {};
     const JsonPlace texture = document_.element("textures", info->at("index"));
-    const auto source = source_of(texture);
+    const auto source = texture.find("source");
     if (!source) {
         warnings_.add(texture.where(),
                       "has no image that can be read (WebP and KTX2 cannot): the "

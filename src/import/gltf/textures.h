@@ -46,7 +46,6 @@ public:
 
 private:
     std::shared_ptr<const Image> image_of(std::size_t number, TexelUse use);
-    std::optional<JsonPlace> source_of(const JsonPlace& texture) const;
     void load(const std::vector<std::size_t>& numbers);
 
     GltfDocument& document_;
