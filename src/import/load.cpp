@@ -10,12 +10,12 @@
 
 namespace sunfleck::engine {
 
-SceneDescription load_scene(const std::string& path) {
+SceneDescription load_scene(const std::string& path, const ImportSettings& settings) {
     if (path.empty())
         throw Error({"scene"}, "the name of the scene's file is empty", "give the name of a file");
     if (path == "-") return read_pbrt_input();
     const std::string ending = small_letters(std::filesystem::path(path).extension().string());
-    if (ending == ".gltf" || ending == ".glb") return read_gltf(path);
+    if (ending == ".gltf" || ending == ".glb") return read_gltf(path, settings);
     return read_pbrt(path);
 }
 

@@ -148,7 +148,7 @@ private:
 
 }  // namespace
 
-SceneDescription read_gltf(const std::string& path) {
+SceneDescription read_gltf(const std::string& path, const ImportSettings&) {
     GltfDocument document(path);
     SceneDescription scene;
     scene.path = path;

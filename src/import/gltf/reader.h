@@ -3,6 +3,7 @@
 #pragma once
 
 #include "scene/description.h"
+#include "scene/import_settings.h"
 
 #include <string>
 
@@ -10,6 +11,6 @@ namespace sunfleck::engine {
 
 /// Reads a scene. SceneDescription::warnings lists what is not simulated as asked.
 /// @throws Error  for what is not glTF 2.0, is damaged, or requires an extension that is not read.
-SceneDescription read_gltf(const std::string& path);
+SceneDescription read_gltf(const std::string& path, const ImportSettings& settings = {});
 
 }  // namespace sunfleck::engine
