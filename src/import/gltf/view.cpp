@@ -1,8 +1,8 @@
 // Cameras look along -z of their node, with y up.
 #include "import/gltf/view.h"
 
-#include "geometry/measure.h"
 #include "math/trigonometry.h"
+#include "scene/framing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,6 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr Vec2i kUsualResolution{1280, 720};
 constexpr int kLeastPixels = 16;
 
 /// Returns 1280 x 720, or the longest side at another aspect.
@@ -23,48 +22,20 @@ Vec2i resolution_of(double aspect) {
     return {pixels(kUsualResolution.y * aspect), kUsualResolution.y};
 }
 
-/// Returns the frame of a camera, which is left-handed: its z looks ahead. Scales are left out.
-Matrix camera_frame(const Vec3d& right, const Vec3d& up, const Vec3d& ahead, const Vec3d& place) {
-    Matrix m;
-    const Vec3d x = right.normalized();
-    const Vec3d y = up.normalized();
-    const Vec3d z = ahead.normalized();
-    for (int c = 0; c < 3; ++c) {
-        m[0][c] = x[c];
-        m[1][c] = y[c];
-        m[2][c] = z[c];
-        m[3][c] = place[c];
-    }
-    return m;
-}
-
-Matrix camera_frame(const Matrix& node) {
+Matrix frame_of_node(const Matrix& node) {
     const auto row = [&](int i) { return Vec3d(node[i][0], node[i][1], node[i][2]); };
     return camera_frame(row(0), row(1), -row(2), row(3));
 }
 
-/// @param yfov  angle of the height, radians.
-PerspectiveCamera perspective(const Matrix& to_world, double yfov, const Vec2i& resolution) {
-    const SinCos half = sin_cos_2pi(yfov / (4 * kPiDouble));
-    const double up = half.sin / half.cos;
-    const double right = up * resolution.x / resolution.y;
-    PerspectiveCamera camera;
-    camera.camera_to_world = to_world;
-    camera.resolution = resolution;
-    camera.screen_min = {-right, -up};
-    camera.screen_max = {right, up};
-    return camera;
-}
-
 Camera camera_of(const JsonPlace& camera, const Matrix& to_world, FilmDescription& film) {
     constexpr double kLarge = 1e9;
-    const Matrix frame = camera_frame(to_world);
+    const Matrix frame = frame_of_node(to_world);
     const JsonPlace type = camera.at("type");
     if (type.text() == "perspective") {
         const JsonPlace view = camera.at("perspective");
         film.resolution = resolution_of(view.number("aspectRatio", 16.0 / 9, 1e-3, 1e3));
-        return perspective(frame, view.number("yfov", 0.8, 1e-6, kPiDouble * 0.999),
-                           film.resolution);
+        return perspective_view(frame, view.number("yfov", 0.8, 1e-6, kPiDouble * 0.999),
+                                film.resolution);
     }
     if (type.text() != "orthographic")
         type.refuse("is no type of camera", "write perspective or orthographic");
@@ -80,15 +51,6 @@ Camera camera_of(const JsonPlace& camera, const Matrix& to_world, FilmDescriptio
     return made;
 }
 
-Bounds bounds_of_scene(const SceneDescription& scene) {
-    Bounds all;
-    for (const ShapeDescription& shape : scene.shapes) all.extend(bounds_of(shape.placed));
-    for (const InstanceDescription& instance : scene.instances)
-        for (const ShapeDescription& shape : scene.objects[instance.object])
-            all.extend(image_of(bounds_of(shape.placed), Affine(instance.to_world)));
-    return all;
-}
-
 /// Returns a camera that sees the bounds from the front, to the right and above.
 Camera framing(const Bounds& bounds, FilmDescription& film) {
     constexpr double kFov = 40 * kPiDouble / 180;
@@ -99,7 +61,7 @@ Camera framing(const Bounds& bounds, FilmDescription& film) {
     const double radius = std::max(bounds.radius(), 1e-6);
     const Vec3d towards = Vec3d(0.45, 0.35, 1).normalized();
     const Vec3d right = Vec3d(0, 1, 0).cross(towards);
-    return perspective(
+    return perspective_view(
         camera_frame(right, towards.cross(right), -towards, centre + towards * (radius / sine)),
         kFov, film.resolution);
 }
