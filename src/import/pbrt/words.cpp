@@ -1,6 +1,8 @@
 // Suggestions by edit distance.
 #include "import/pbrt/words.h"
 
+#include "core/edit_distance.h"
+
 #include <algorithm>
 #include <vector>
 
@@ -8,26 +10,6 @@ namespace sunfleck::engine {
 namespace {
 
 constexpr std::size_t kLongestSimilar = 60;
-
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-/// Returns the Levenshtein distance of two words, ignoring case.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t j = 0; j <= b.size(); ++j) row[j] = j;
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = row[0];
-        row[0] = i + 1;
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t replaced = diagonal + (lower(a[i]) == lower(b[j]) ? 0 : 1);
-            diagonal = row[j + 1];
-            row[j + 1] = std::min({replaced, row[j] + 1, row[j + 1] + 1});
-        }
-    }
-    return row.back();
-}
 
 /// Returns the nearest word within a third of its letters, or nothing.
 std::string_view nearest(std::span<const std::string_view> known, std::string_view word) {
