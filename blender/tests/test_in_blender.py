@@ -1,0 +1,322 @@
+"""The add-on inside Blender, without a window.
+
+Usage: blender -b --factory-startup --python-exit-code 1 --python test_in_blender.py -- PROGRAM
+"""
+
+import math
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+import bpy
+import numpy as np
+
+sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
+
+import sunfleck_blender
+from sunfleck_blender import program
+from sunfleck_blender.engine import image_path
+from sunfleck_blender.export_scene import export_scene
+
+PROGRAM = sys.argv[sys.argv.index("--") + 1]
+
+
+def material(name, kind="ShaderNodeBsdfDiffuse", **inputs):
+    made = bpy.data.materials.new(name)
+    made.use_nodes = True
+    tree = made.node_tree
+    tree.nodes.clear()
+    shader = tree.nodes.new(kind)
+    for key, value in inputs.items():
+        shader.inputs[key.replace("_", " ")].default_value = value
+    output = tree.nodes.new("ShaderNodeOutputMaterial")
+    tree.links.new(shader.outputs[0], output.inputs["Surface"])
+    return made, tree, shader
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        bpy.ops.wm.read_factory_settings(use_empty=True)
+        sunfleck_blender.register()
+        self.addCleanup(sunfleck_blender.unregister)
+        scene = bpy.context.scene
+        scene.render.engine = "SUNFLECK"
+        scene.render.resolution_x, scene.render.resolution_y = 32, 24
+        camera = bpy.data.objects.new("Camera", bpy.data.cameras.new("Camera"))
+        camera.location = (0, 0, 10)
+        scene.collection.objects.link(camera)
+        scene.camera = camera
+        self.warnings = []
+        self.folder = self.enterContext(tempfile.TemporaryDirectory())
+
+    def export(self):
+        """Exports the scene, and returns its text and what `sunfleck info` says of it."""
+        depsgraph = bpy.context.evaluated_depsgraph_get()
+        exported = export_scene(depsgraph, self.folder, image_path, 64, self.warnings.append)
+        with open(exported.file, encoding="utf-8") as file:
+            text = file.read()
+        said = subprocess.run([PROGRAM, "info", exported.file], capture_output=True, text=True)
+        self.assertEqual(said.returncode, 0, said.stderr)
+        return text, said.stdout
+
+    def meshes(self):
+        folder = os.path.join(self.folder, "meshes")
+        return sorted(os.listdir(folder)) if os.path.isdir(folder) else []
+
+    def render(self, passes=16):
+        """Renders a few passes; returns the pixels, the lowest row first."""
+        scene = bpy.context.scene
+        scene.sunfleck.time, scene.sunfleck.target_error = 0, 0
+        scene.sunfleck.passes = passes
+        scene.render.image_settings.file_format = "OPEN_EXR"
+        scene.render.image_settings.color_depth = "32"
+        scene.render.filepath = os.path.join(self.folder, "out.exr")
+        old = os.environ["PATH"]
+        os.environ["PATH"] = os.path.dirname(PROGRAM) + os.pathsep + old
+        try:
+            bpy.ops.render.render(write_still=True)
+        finally:
+            os.environ["PATH"] = old
+        image = bpy.data.images.load(scene.render.filepath)
+        values = np.empty(image.size[0] * image.size[1] * 4, np.float32)
+        image.pixels.foreach_get(values)
+        return values.reshape(image.size[1], image.size[0], 4)
+
+
+class Objects(Case):
+    def test_curves_texts_surfaces_and_metaballs_are_meshes(self):
+        bpy.ops.curve.primitive_bezier_circle_add()
+        bpy.context.object.data.bevel_depth = 0.1
+        bpy.ops.object.text_add()
+        bpy.context.object.data.extrude = 0.1
+        bpy.ops.surface.primitive_nurbs_surface_sphere_add()
+        bpy.ops.object.metaball_add(type="BALL")
+        text, info = self.export()
+        self.assertEqual(len(self.meshes()), 4, text)
+        self.assertEqual(self.warnings, [])
+
+    def test_modifiers_and_shape_keys_are_applied(self):
+        bpy.ops.mesh.primitive_cube_add()
+        cube = bpy.context.object
+        cube.modifiers.new("Subdivision", "SUBSURF").render_levels = 1
+        cube.shape_key_add(name="Basis")
+        key = cube.shape_key_add(name="Up")
+        for point in key.data:
+            point.co.z += 5
+        key.value = 1
+        text, _ = self.export()
+        with open(os.path.join(self.folder, "meshes", self.meshes()[0]), "rb") as file:
+            head, _, body = file.read().partition(b"end_header\n")
+        count = int(re.search(rb"vertex (\d+)", head)[1])
+        self.assertEqual(count, 26)
+        places = np.frombuffer(body[:count * 12], "<f4").reshape(-1, 3)
+        self.assertGreater(places[:, 2].min(), 4)
+
+    def test_linked_duplicates_and_collection_instances_share_one_mesh(self):
+        bpy.ops.mesh.primitive_cube_add()
+        cube = bpy.context.object
+        for x in (3, 6):
+            copy = bpy.data.objects.new("Copy", cube.data)
+            copy.location.x = x
+            bpy.context.scene.collection.objects.link(copy)
+        group = bpy.data.collections.new("Group")
+        group.objects.link(cube)
+        empty = bpy.data.objects.new("Instance", None)
+        empty.instance_type, empty.instance_collection = "COLLECTION", group
+        empty.location.y, empty.scale.x = 4, -1
+        bpy.context.scene.collection.objects.link(empty)
+        text, _ = self.export()
+        self.assertEqual(len(self.meshes()), 1)
+        self.assertEqual(text.count("ObjectInstance "), 4)
+
+    def test_particles_and_their_emitter_are_exported(self):
+        bpy.ops.mesh.primitive_ico_sphere_add(radius=0.1)
+        ball = bpy.context.object
+        bpy.ops.mesh.primitive_plane_add(size=4)
+        plane = bpy.context.object
+        plane.modifiers.new("Particles", "PARTICLE_SYSTEM")
+        settings = plane.particle_systems[0].settings
+        settings.type, settings.count = "HAIR", 20
+        settings.render_type, settings.instance_object = "OBJECT", ball
+        text, _ = self.export()
+        self.assertGreaterEqual(text.count("ObjectInstance "), 20)
+        self.assertEqual(len(self.meshes()), 2)
+
+    def test_instances_of_geometry_nodes_share_one_mesh(self):
+        bpy.ops.mesh.primitive_grid_add(x_subdivisions=2, y_subdivisions=2)
+        modifier = bpy.context.object.modifiers.new("Nodes", "NODES")
+        tree = bpy.data.node_groups.new("Tree", "GeometryNodeTree")
+        tree.inputs.new("NodeSocketGeometry", "Geometry")
+        tree.outputs.new("NodeSocketGeometry", "Geometry")
+        given, end = tree.nodes.new("NodeGroupInput"), tree.nodes.new("NodeGroupOutput")
+        cube = tree.nodes.new("GeometryNodeMeshCube")
+        on_points = tree.nodes.new("GeometryNodeInstanceOnPoints")
+        tree.links.new(given.outputs[0], on_points.inputs["Points"])
+        tree.links.new(cube.outputs[0], on_points.inputs["Instance"])
+        tree.links.new(on_points.outputs[0], end.inputs[0])
+        modifier.node_group = tree
+        text, _ = self.export()
+        self.assertEqual((text.count("ObjectInstance "), len(self.meshes())), (9, 1))
+
+    def test_hidden_empty_and_flattened_things_are_left_out(self):
+        bpy.ops.mesh.primitive_cube_add()
+        bpy.context.object.hide_render = True
+        bpy.context.object.hide_viewport = True
+        empty = bpy.data.objects.new("No faces", bpy.data.meshes.new("No faces"))
+        bpy.context.scene.collection.objects.link(empty)
+        bpy.data.meshes.new("No user")
+        bpy.ops.mesh.primitive_cube_add()
+        bpy.context.object.scale.z = 0
+        self.export()
+        self.assertEqual(self.meshes(), [])
+        self.assertTrue(any("no extent" in w for w in self.warnings), self.warnings)
+
+    def test_slots_are_split_and_empty_slots_are_grey(self):
+        bpy.ops.mesh.primitive_cube_add()
+        cube = bpy.context.object
+        red, _, _ = material('Re"d\\ | é', Color=(1, 0, 0, 1))
+        cube.data.materials.append(red)
+        cube.data.materials.append(None)
+        cube.name = 'Cu"be\\n'
+        cube.data.polygons[0].material_index = 1
+        cube.data.polygons[1].material_index = 7
+        text, _ = self.export()
+        self.assertEqual(len(self.meshes()), 3)
+        self.assertEqual(text.count("MakeNamedMaterial"), 2)
+
+
+class Materials(Case):
+    def plane(self, made):
+        bpy.ops.mesh.primitive_plane_add(size=4)
+        bpy.context.object.data.materials.append(made)
+
+    def test_packed_generated_and_missing_images_are_read(self):
+        for kind in ("packed", "generated", "missing"):
+            made, tree, shader = material(kind)
+            node = tree.nodes.new("ShaderNodeTexImage")
+            tree.links.new(node.outputs[0], shader.inputs["Color"])
+            if kind == "missing":
+                image = bpy.data.images.new("gone", 4, 4)
+                image.source, image.filepath = "FILE", "//no/such/file.png"
+            else:
+                image = bpy.data.images.new(kind, 4, 4)
+                image.pixels.foreach_set(np.full(64, 0.5, np.float32))
+                if kind == "packed":
+                    image.pack()
+            node.image = image
+            self.plane(made)
+        text, _ = self.export()
+        self.assertEqual(text.count('"imagemap"'), 2)
+        self.assertTrue(any("gone" in w and "missing" in w for w in self.warnings), self.warnings)
+
+    def test_what_is_not_known_is_named_once_a_material(self):
+        made, tree, shader = material("Noisy")
+        noise = tree.nodes.new("ShaderNodeTexNoise")
+        tree.links.new(noise.outputs["Color"], shader.inputs["Color"])
+        self.plane(made)
+        self.plane(made)
+        self.export()
+        self.assertEqual(len([w for w in self.warnings if "Noise" in w]), 1)
+
+    def test_groups_reroutes_and_muted_nodes_are_followed(self):
+        group = bpy.data.node_groups.new("Tint", "ShaderNodeTree")
+        group.inputs.new("NodeSocketColor", "In").default_value = (0.1, 0.2, 0.3, 1)
+        group.outputs.new("NodeSocketColor", "Out")
+        start, end = group.nodes.new("NodeGroupInput"), group.nodes.new("NodeGroupOutput")
+        turn = group.nodes.new("NodeReroute")
+        group.links.new(start.outputs[0], turn.inputs[0])
+        group.links.new(turn.outputs[0], end.inputs[0])
+        made, tree, shader = material("Grouped")
+        node = tree.nodes.new("ShaderNodeGroup")
+        node.node_tree = group
+        invert = tree.nodes.new("ShaderNodeInvert")
+        invert.mute = True
+        tree.links.new(node.outputs[0], invert.inputs["Color"])
+        tree.links.new(invert.outputs[0], shader.inputs["Color"])
+        self.plane(made)
+        text, _ = self.export()
+        self.assertIn('"rgb reflectance" [ 0.100000001 0.200000003 0.300000012 ]', text)
+        self.assertEqual(self.warnings, [])
+
+    def test_glass_absorbs_by_its_volume_and_its_colour(self):
+        made, tree, _ = material("Tinted", "ShaderNodeBsdfGlass", Color=(0.5, 1, 1, 1), IOR=1.4)
+        volume = tree.nodes.new("ShaderNodeVolumeAbsorption")
+        volume.inputs["Color"].default_value = (1, 0.5, 1, 1)
+        volume.inputs["Density"].default_value = 3
+        output = next(n for n in tree.nodes if n.type == "OUTPUT_MATERIAL")
+        tree.links.new(volume.outputs[0], output.inputs["Volume"])
+        bpy.ops.mesh.primitive_cube_add(size=2)
+        bpy.context.object.data.materials.append(made)
+        text, _ = self.export()
+        sigma = re.search(r'"rgb sigma_a" \[ (\S+) (\S+) (\S+) \]', text)
+        # A mean way through the cube is 4/3 long; both crossings leave a quarter of the red.
+        self.assertAlmostEqual(float(sigma[1]), -2 * math.log(0.5) / (4 / 3), places=4)
+        self.assertAlmostEqual(float(sigma[2]), 1.5, places=4)
+
+    def test_every_shader_of_the_table_is_read(self):
+        for kind in ("Principled", "Diffuse", "Glossy", "Anisotropic", "Glass", "Refraction",
+                     "Translucent", "Transparent", "Velvet", "Toon"):
+            made, _, _ = material(kind, f"ShaderNodeBsdf{kind}")
+            self.plane(made)
+        self.export()
+        self.assertFalse([w for w in self.warnings if "not known" in w], self.warnings)
+
+
+class Renders(Case):
+    def sunlit_plane(self):
+        made, _, _ = material("White", Color=(0.8, 0.8, 0.8, 1))
+        bpy.ops.mesh.primitive_plane_add(size=40)
+        bpy.context.object.data.materials.append(made)
+        sun = bpy.data.lights.new("Sun", "SUN")
+        sun.energy, sun.angle = 2, 0
+        bpy.context.scene.collection.objects.link(bpy.data.objects.new("Sun", sun))
+
+    def test_a_plane_under_a_sun_is_as_bright_as_computed(self):
+        self.sunlit_plane()
+        pixels = self.render(2)
+        np.testing.assert_allclose(pixels[..., :3], 2 * 0.8 / math.pi, rtol=0.01)
+        np.testing.assert_array_equal(pixels[..., 3], 1)
+
+    def test_a_region_is_rendered_alone(self):
+        self.sunlit_plane()
+        render = bpy.context.scene.render
+        render.use_border = render.use_crop_to_border = True
+        render.border_min_x, render.border_max_x = 0.25, 0.75
+        render.border_min_y, render.border_max_y = 0.5, 1
+        self.assertEqual(self.render(1).shape[:2], (12, 16))
+
+    def test_a_program_that_is_missing_is_told(self):
+        with self.assertRaisesRegex(RuntimeError, "Preferences"):
+            old = os.environ["PATH"]
+            os.environ["PATH"] = ""
+            try:
+                bpy.ops.render.render()
+            finally:
+                os.environ["PATH"] = old
+
+    def test_an_interrupted_program_keeps_its_picture(self):
+        self.sunlit_plane()
+        bpy.context.scene.render.resolution_x = 640
+        self.export()
+        running = program.Render(PROGRAM, os.path.join(self.folder, "scene.pbrt"),
+                                 ["--time", "600s"], self.folder)
+        try:
+            end = time.monotonic() + 120
+            while running.newest_snapshot() is None and time.monotonic() < end:
+                time.sleep(0.05)
+            running.interrupt()
+            while running.is_running() and time.monotonic() < end:
+                time.sleep(0.05)
+            self.assertEqual(running.exit_code(), 130, running.said())
+            self.assertTrue(os.path.isfile(running.output))
+        finally:
+            running.kill()
+
+
+if __name__ == "__main__":
+    result = unittest.main(argv=["test_in_blender"], exit=False).result
+    sys.exit(0 if result.wasSuccessful() else 1)
