@@ -5,6 +5,7 @@
 #include "bsdf/coated_conductor.h"
 #include "bsdf/coated_diffuse.h"
 #include "bsdf/diffuse_transmission.h"
+#include "bsdf/iridescent_conductor.h"
 #include "bsdf/lambert.h"
 #include "bsdf/model.h"
 #include "bsdf/rough_conductor.h"
@@ -22,8 +23,8 @@ using BsdfVariant = std::variant<Models...>;
 
 /// BSDF at one point of a surface: a value, which visible points copy.
 using Bsdf = BsdfVariant<Lambert, SmoothDielectric, RoughDielectric, ThinDielectric,
-                         SmoothConductor, RoughConductor, CoatReflection, CoatedBase, CoatedDiffuse,
-                         CoatedConductor, DiffuseTransmission>;
+                         SmoothConductor, RoughConductor, IridescentConductor, CoatReflection,
+                         CoatedBase, CoatedDiffuse, CoatedConductor, DiffuseTransmission>;
 
 /// Returns f per steradian, without the cosine; zero for delta lobes (bsdf/model.h).
 inline SampledSpectrum eval(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi, Transport transport) {

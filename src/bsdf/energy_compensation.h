@@ -24,12 +24,12 @@ struct MetalCompensation {
 
     /// Returns the fraction of a first facet's losses that further facets reflect, with their
     /// colour.
-    SampledSpectrum reflectance(const SampledSpectrum& eta, const SampledSpectrum& k) const {
+    /// @param facet  returns the reflectance of a facet by its cosine.
+    template <class Reflectance>
+    SampledSpectrum reflectance(const Reflectance& facet) const {
         // Gauss's rule of four points over the squared cosine, which is uniform for diffuse light.
-        const SampledSpectrum mean = 0.1739274F * (conductor_reflectance(0.2634992F, eta, k) +
-                                                   conductor_reflectance(0.9646596F, eta, k)) +
-                                     0.3260726F * (conductor_reflectance(0.5744645F, eta, k) +
-                                                   conductor_reflectance(0.8185295F, eta, k));
+        const SampledSpectrum mean = 0.1739274F * (facet(0.2634992F) + facet(0.9646596F)) +
+                                     0.3260726F * (facet(0.5744645F) + facet(0.8185295F));
         const float lost_again = losses.mean_of_mirror(facets);
         return mean * mean * (1 - lost_again) / (SampledSpectrum(1) - mean * lost_again);
     }

@@ -1,11 +1,11 @@
 // ThinDielectric: a thin clear sheet (window pane), both faces at one place, with all
 // interreflections.
 //
-// In:  eta per wavelength, index of the sheet over that of the air on both sides.
-// Out: two delta lobes, mirror reflection and straight transmission.
-// With R the reflectance of one face and T = 1 - R, the sheet reflects R + T^2 R + T^2 R^3 + ... =
-// R + T^2 R / (1 - R^2) = 2 R / (1 + R). Directions do not depend on the wavelength, so the sheet
-// is never dispersive.
+// In:  eta per wavelength, index of the sheet over that of the air on both sides; the colour of
+// what passes. Out: two delta lobes, mirror reflection and straight transmission. With R the
+// reflectance of one face and T = 1 - R, the sheet reflects R + T^2 R + T^2 R^3 + ... = R + T^2 R /
+// (1 - R^2) = 2 R / (1 + R). Directions do not depend on the wavelength, so the sheet is never
+// dispersive.
 #pragma once
 
 #include "bsdf/fresnel.h"
@@ -14,14 +14,15 @@
 namespace sunfleck::engine {
 
 struct ThinDielectric {
-    SampledSpectrum eta;  // per wavelength, positive
+    SampledSpectrum eta;                          // per wavelength, positive
+    SampledSpectrum colour = SampledSpectrum(1);  // of what passes; at most 1
 
     static SampledSpectrum eval(const Vec3&, const Vec3&, Transport) { return {}; }
     static float pdf(const Vec3&, const Vec3&, Transport) { return 0; }
 
     /// Reflects if u.x is below the mean reflectance of the remaining wavelengths. The two weights
-    /// are reflectance / p and (1 - reflectance) / (1 - p), at most kWavelengths; exactly one if
-    /// all wavelengths agree or one remains.
+    /// are reflectance / p and colour * (1 - reflectance) / (1 - p), at most kWavelengths; exactly
+    /// one and the colour if all wavelengths agree or one remains.
     std::optional<BsdfSample> sample(const Vec3& wo, const BsdfSampleInput& draw) const {
         if (wo.z == 0) return {};
         const SampledSpectrum share = reflectance(std::abs(wo.z));
@@ -30,7 +31,7 @@ struct ThinDielectric {
         if (draw.u.x < p || p >= 1)
             return BsdfSample{alike ? SampledSpectrum(1) : share / p, Vec3(-wo.x, -wo.y, wo.z), {}};
         return BsdfSample{
-            alike ? SampledSpectrum(1) : (SampledSpectrum(1) - share) / (1 - p), -wo, {}};
+            alike ? colour : colour * (SampledSpectrum(1) - share) / (1 - p), -wo, {}};
     }
 
     /// Returns the probability with which sample() reflects.

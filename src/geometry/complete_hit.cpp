@@ -14,6 +14,7 @@ struct Patch {
     Vec3d shading_normal;
     Vec3d tangent;
     Vec2 uv;
+    Vec2 weights{0};
     double uncertainty = 0;  // along the normal, of the surface that Embree uses
 };
 
@@ -67,6 +68,7 @@ Patch on_mesh(const Intersection& found, const Line& line) {
     const Vec3d weights = barycentrics(triangle, edges, line.origin, line.direction, found.weights);
     Patch patch;
     patch.position = triangle.point(weights);
+    patch.weights = Vec2(static_cast<float>(weights.y), static_cast<float>(weights.z));
     const Vec3d area_vector = edges.area_vector();
     const double per_area = 1 / std::sqrt(area_vector.dot(area_vector));
     patch.normal = area_vector * per_area;
@@ -165,6 +167,7 @@ void complete_plain(const Intersection& found, const Line& line, Hit& hit) {
     hit.shading_normal = hit.normal;
     hit.tangent = Vec3(edges.first);
     hit.uv = Vec2(static_cast<float>(weights.y + weights.z), static_cast<float>(weights.z));
+    hit.weights = Vec2(static_cast<float>(weights.y), static_cast<float>(weights.z));
     hit.error = error_bound(kFloatRounding * per_area * scaled);
     hit.distance = distance_along(line, position);
     hit.primitive = found.primitive;
@@ -186,6 +189,7 @@ void complete_hit(const Intersection& found, const Line& line, Hit& hit) {
     if (!(hit.normal.dot(hit.shading_normal) > 0)) hit.shading_normal = hit.normal;
     hit.tangent = Vec3(patch.tangent);
     hit.uv = patch.uv;
+    hit.weights = patch.weights;
     hit.error = error_bound(patch.uncertainty + rounding_uncertainty(patch.normal, patch.position));
     hit.distance = distance_along(line, patch.position);
     hit.primitive = found.primitive;

@@ -25,6 +25,7 @@ struct Hit {
     Vec3 shading_normal;  // unit, in the hemisphere of `normal`
     Vec3 tangent;         // dp/du, any length; for anisotropic roughness
     Vec2 uv;
+    Vec2 weights{0};  // of corners 1 and 2 of a triangle (barycentric); 0 on other shapes
     float error = 0;              // bound of the distance to the exact surface, along each axis
     float distance = 0;           // along the ray
     std::uint32_t shape = 0;      // index into the list that the geometry was built from

@@ -69,7 +69,8 @@ struct BsdfOf {
     }
 
     std::optional<Bsdf> operator()(const ThinDielectricMaterial& m) const {
-        return ThinDielectric{index_of(m.eta.at(wavelengths))};
+        return ThinDielectric{index_of(m.eta.at(wavelengths)),
+                              clamped(m.colour.at(point, wavelengths), 0, 1)};
     }
 
     std::optional<Bsdf> operator()(const ConductorMaterial& m) const {
@@ -77,6 +78,18 @@ struct BsdfOf {
         const Vec2 alphas = m.roughness.alphas(point);
         if (is_smooth(alphas)) return SmoothConductor{eta, k};
         return RoughConductor{eta, k, facets_of(alphas), m.roughness.losses()};
+    }
+
+    std::optional<Bsdf> operator()(const IridescentConductorMaterial& m) const {
+        const Vec2 alphas = m.metal.roughness.alphas(point);
+        ThinFilm film{m.film_eta, {}};
+        const float thickness = std::max(0.0F, m.thickness.at(point));
+        for (std::size_t i = 0; i < kWavelengths; ++i)
+            film.waves[i] = thickness / wavelengths.nm.at(i);
+        return IridescentConductor{
+            metal_index(m.metal).k, film,
+            Ggx{std::max(alphas.x, kSmoothAlpha), std::max(alphas.y, kSmoothAlpha)},
+            m.metal.roughness.losses()};
     }
 
     std::optional<Bsdf> operator()(const CoatedDiffuseMaterial& m) const {
@@ -123,13 +136,16 @@ struct IsTextured {
         return !(reflects_evenly && m.eta.is_constant() && m.k.is_constant() &&
                  m.roughness.is_constant());
     }
+    bool operator()(const IridescentConductorMaterial& m) const {
+        return !m.thickness.is_constant() || (*this)(m.metal);
+    }
     bool operator()(const CoatedDiffuseMaterial& m) const { return !m.reflectance.is_constant(); }
     bool operator()(const CoatedConductorMaterial& m) const { return (*this)(m.metal); }
     bool operator()(const DiffuseTransmissionMaterial& m) const {
         return !(m.reflectance.is_constant() && m.transmittance.is_constant());
     }
     bool operator()(const MixMaterial&) const { return true; }
-    bool operator()(const ThinDielectricMaterial&) const { return false; }
+    bool operator()(const ThinDielectricMaterial& m) const { return !m.colour.is_constant(); }
     bool operator()(const InterfaceMaterial&) const { return false; }
 };
 
@@ -138,6 +154,7 @@ struct MayGather {
     bool operator()(const DiffuseMaterial&) const { return true; }
     bool operator()(const DielectricMaterial& m) const { return is_rough_somewhere(m.roughness); }
     bool operator()(const ConductorMaterial& m) const { return is_rough_somewhere(m.roughness); }
+    bool operator()(const IridescentConductorMaterial&) const { return true; }
     bool operator()(const CoatedDiffuseMaterial&) const { return true; }
     bool operator()(const CoatedConductorMaterial&) const { return true; }
     bool operator()(const DiffuseTransmissionMaterial&) const { return true; }

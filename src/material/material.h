@@ -54,6 +54,7 @@ struct DielectricMaterial {
 struct ThinDielectricMaterial {
     static constexpr std::string_view name = "thindielectric";
     Spectrum eta = Spectrum::constant(1.5F);
+    SpectrumTexture colour = Spectrum::constant(1);  // of what passes
 };
 
 struct ConductorMaterial {
@@ -63,6 +64,15 @@ struct ConductorMaterial {
     std::optional<SpectrumTexture>
         reflectance;  // in place of eta and k: eta 1, k = 2 sqrt(r) / sqrt(1 - r)
     Roughness roughness;
+};
+
+/// Metal under a thin film with the colours of interference. Its facets have an alpha of
+/// kSmoothAlpha at least.
+struct IridescentConductorMaterial {
+    static constexpr std::string_view name = "iridescentconductor";
+    ConductorMaterial metal;  // with a reflectance
+    float film_eta = 1.33F;   // at least 1
+    FloatTexture thickness;   // of the film, nanometres
 };
 
 /// A diffuse base under a clear coat.
@@ -111,9 +121,10 @@ concept MaterialModel = std::copyable<M> && requires {
 template <MaterialModel... Models>
 using MaterialVariant = std::variant<Models...>;
 
-using Material = MaterialVariant<DiffuseMaterial, DielectricMaterial, ThinDielectricMaterial,
-                                 ConductorMaterial, CoatedDiffuseMaterial, CoatedConductorMaterial,
-                                 DiffuseTransmissionMaterial, MixMaterial, InterfaceMaterial>;
+using Material =
+    MaterialVariant<DiffuseMaterial, DielectricMaterial, ThinDielectricMaterial, ConductorMaterial,
+                    IridescentConductorMaterial, CoatedDiffuseMaterial, CoatedConductorMaterial,
+                    DiffuseTransmissionMaterial, MixMaterial, InterfaceMaterial>;
 
 /// As `sunfleck info` says it.
 inline std::string_view name_of(const Material& material) {

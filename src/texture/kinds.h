@@ -1,10 +1,13 @@
-// All kinds of textures except images, with the meaning of pbrt-v4.
+// All kinds of textures except images alone, with the meaning of pbrt-v4; those of vertices are
+// glTF's.
 #pragma once
 
 #include "math/vector.h"
+#include "texture/image_kind.h"
 #include "texture/mapping.h"
 #include "texture/noise.h"
 
+#include <optional>
 #include <variant>
 
 namespace sunfleck::engine {
@@ -57,6 +60,17 @@ struct BilerpKind {
     T v01;
     T v10;
     T v11;
+};
+
+/// Linear RGB of vertices, times an image where there is one, as a reflectance.
+struct VertexColourKind {
+    VertexValues<Vec3> colours;
+    std::optional<ImageKind> image{};
+};
+
+/// Numbers of vertices.
+struct VertexNumberKind {
+    VertexValues<Vec2> numbers;  // the first of each
 };
 
 struct FbmKind {

@@ -92,6 +92,7 @@ struct FloatValue : ValueOf<At> {
     using ValueOf<At>::operator();
 
     float operator()(const FloatImageKind& m) const { return image_number(m, this->point_); }
+    float operator()(const VertexNumberKind& m) const { return m.numbers.at(this->point_).x; }
     float operator()(const FbmKind& m) const { return fbm(m.mapping.at(this->point_), m.octaves); }
     float operator()(const WrinkledKind& m) const {
         return turbulence(m.mapping.at(this->point_), m.octaves);
@@ -132,6 +133,11 @@ struct SpectrumValue : ValueOf<At> {
         if (m.use == ColourUse::unbounded) return value;
         return value * Spectrum::d65().at(wavelengths);
     }
+    SampledSpectrum operator()(const VertexColourKind& m) const {
+        Vec3 rgb = m.colours.at(this->point_);
+        if (m.image) rgb *= image_rgb(*m.image, this->point_);
+        return SigmoidTable::srgb().albedo(rgb, wavelengths);
+    }
     SampledSpectrum operator()(const MarbleKind& m) const {
         const Vec3 p = m.mapping.at(this->point_) * m.scale;
         const float phase = p.y + m.variation * fbm(p, m.octaves);
@@ -155,6 +161,7 @@ float FloatTexture::varied(const TexturePoint& point) const {
 SpectrumTexture::SpectrumTexture(SpectrumKind kind)
     : kind_(std::make_shared<const SpectrumKind>(std::move(kind))) {
     const bool has_colours = std::holds_alternative<SpectrumImageKind>(kind_->kind) ||
+                             std::holds_alternative<VertexColourKind>(kind_->kind) ||
                              std::holds_alternative<MarbleKind>(kind_->kind);
     if (has_colours)
         SigmoidTable::srgb();  // built now, because it may not be built within parallel work

@@ -30,6 +30,8 @@ public:
     /// Returns the value of a constant texture.
     float constant() const { return constant_; }
     float at(const TexturePoint& point) const { return kind_ ? varied(point) : constant_; }
+    /// Returns what the texture is made of; null if it is constant. Copies have the same pointer.
+    const FloatKind* kind() const { return kind_.get(); }
 
 private:
     float varied(const TexturePoint& point) const;
@@ -53,6 +55,8 @@ public:
     SampledSpectrum at(const TexturePoint& point, const Wavelengths& wavelengths) const {
         return kind_ ? varied(point, wavelengths) : curve_.at(wavelengths);
     }
+    /// Returns what the texture is made of; null if it is constant. Copies have the same pointer.
+    const SpectrumKind* kind() const { return kind_.get(); }
 
 private:
     SampledSpectrum varied(const TexturePoint& point, const Wavelengths& wavelengths) const;
@@ -64,7 +68,7 @@ private:
 struct FloatKind {
     std::variant<ScaledKind<FloatTexture>, MixKind<FloatTexture>, DirectionMixKind<FloatTexture>,
                  CheckerboardKind<FloatTexture>, DotsKind<FloatTexture>, BilerpKind<FloatTexture>,
-                 FloatImageKind, FbmKind, WrinkledKind, WindyKind>
+                 FloatImageKind, VertexNumberKind, FbmKind, WrinkledKind, WindyKind>
         kind;
 };
 
@@ -72,7 +76,7 @@ struct SpectrumKind {
     std::variant<ScaledKind<SpectrumTexture>, MixKind<SpectrumTexture>,
                  DirectionMixKind<SpectrumTexture>, CheckerboardKind<SpectrumTexture>,
                  DotsKind<SpectrumTexture>, BilerpKind<SpectrumTexture>, SpectrumImageKind,
-                 MarbleKind>
+                 VertexColourKind, MarbleKind>
         kind;
 };
 

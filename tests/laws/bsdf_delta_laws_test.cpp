@@ -53,7 +53,7 @@ Truth truth(const Bsdf& bsdf, const Vec3& wo, std::size_t wavelength) {
     if (const auto* sheet = std::get_if<ThinDielectric>(&bsdf)) {
         const double r = fresnel(cosine, sheet->eta[wavelength]);
         const double t = 1 - r;
-        return {r + t * t * r / (1 - r * r), t * t / (1 - r * r)};
+        return {r + t * t * r / (1 - r * r), sheet->colour[wavelength] * t * t / (1 - r * r)};
     }
     if (const auto* varnish = std::get_if<CoatReflection>(&bsdf))
         return {fresnel(cosine, varnish->coat->eta()), 0};

@@ -70,6 +70,9 @@ inline std::function<Bsdf()> kept_metal(const SampledSpectrum& eta, const Sample
                                         Ggx facets) {
     return [=] { return RoughConductor{eta, k, facets, &FacetLosses::table()}; };
 }
+inline std::function<Bsdf()> kept_soapy(const ThinFilm& film, Ggx facets) {
+    return [=] { return IridescentConductor{ramp(1, 4), film, facets, &FacetLosses::table()}; };
+}
 inline std::function<Bsdf()> kept_glass(const SampledSpectrum& eta, Ggx facets) {
     return [=] { return RoughDielectric(eta, facets, &FacetLosses::table()); };
 }
@@ -87,6 +90,7 @@ inline std::vector<BsdfExample> delta_examples() {
         {"prism", fixed(SmoothDielectric(flint)), flint},
         {"pane", fixed(ThinDielectric{glass})},
         {"coloured_pane", fixed(ThinDielectric{ramp(1.3F, 1.9F)})},
+        {"bottle_pane", fixed(ThinDielectric{ramp(1.3F, 1.9F), ramp(0.1F, 0.8F)})},
         {"mirror", fixed(SmoothConductor{SampledSpectrum(1), SampledSpectrum(2000)})},
         {"gold", fixed(SmoothConductor{gold_eta(), gold_k()})},
         {"coated_gold", fixed(CoatedConductor(gold_eta(), gold_k(), {}, &coats().smooth))},
@@ -113,6 +117,9 @@ inline std::vector<BsdfExample> spread_examples() {
         {"kept_mirror", kept_metal(SampledSpectrum(1), SampledSpectrum(2000), {0.5F, 0.5F})},
         {"kept_gold", kept_metal(gold_eta(), gold_k(), {0.2F, 0.2F})},
         {"kept_brushed_gold", kept_metal(gold_eta(), gold_k(), {1, 0.6F})},
+        {"soapy_mirror",
+         fixed(IridescentConductor{SampledSpectrum(2000), {1.5F, ramp(1, 0.5F)}, {0.3F, 0.3F}})},
+        {"soapy_metal", kept_soapy({1.33F, ramp(0.9F, 0.4F)}, {0.4F, 0.2F})},
         {"frosted_glass", kept_glass(glass, {0.5F, 0.5F}), glass},
         {"frosted_bubble", kept_glass(bubble, {0.25F, 0.25F}), bubble},
         {"frosted_prism", kept_glass(flint, {0.4F, 0.4F}), flint},
