@@ -16,7 +16,7 @@ sys.path[:0] = [HERE, os.path.dirname(HERE)]
 
 import scenes  # noqa: E402
 import sunfleck_blender  # noqa: E402
-from sunfleck_blender.picture_files import to_bytes, to_srgb, write_png  # noqa: E402
+from sunfleck_blender.picture_files import read_exr, to_bytes, to_srgb, write_png  # noqa: E402
 
 BLOCK = 32
 
@@ -63,7 +63,10 @@ def render_gltf(base, seconds):
                           capture_output=True, text=True)
     with open(base + ".txt", "w", encoding="utf-8") as log:
         log.write(said.stderr)
-    return pixels_of(base + ".exr") if said.returncode == 0 else None
+    if said.returncode != 0:
+        return None
+    picture = read_exr(base + ".exr")
+    return np.stack([picture[channel] for channel in "RGB"], axis=-1)
 
 
 def blocks(pixels):

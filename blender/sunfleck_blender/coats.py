@@ -1,8 +1,8 @@
 """How much light a clear coat lets pass, and what must lie below it to look as in Blender.
 
 Blender's Principled adds its coat to a base that it does not dim. A real coat dims what is below
-by what it reflects. So the base is made brighter, until both agree where light comes and goes at 45
-degrees; what the inside of the coat holds back is given back (`compensated`).
+by what it reflects. So the base is made brighter, until both agree where light comes at 45 degrees
+and leaves at 60; what the inside of the coat holds back is given back (`compensated`).
 Formulas: Walter et al. 2007, Heitz 2018 (visible facets), as Sunfleck's coat has them.
 """
 
@@ -67,7 +67,8 @@ def entering(cosine, alpha, eta):
 
 @lru_cache(maxsize=256)
 def seen_base(alpha, eta):
-    """Returns how bright a white base looks through a coat at 45 degrees, its losses given back."""
+    """Returns how bright a white base looks through a coat, its losses given back: lit at 45
+    degrees, and seen at 60."""
     cosines = (np.arange(24) + 0.5) / 24
     mean = np.mean([entering(c, alpha, eta) * 2 * c for c in cosines])
-    return float(entering(np.sqrt(0.5), alpha, eta) ** 2 / mean)
+    return float(entering(np.sqrt(0.5), alpha, eta) * entering(0.5, alpha, eta) / mean)

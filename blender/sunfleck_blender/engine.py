@@ -14,7 +14,7 @@ from .passes import group_passes, pass_list, show
 from .program import ProgramFault, Render
 
 WAIT = 0.2  # seconds between looks at the program
-PATIENCE = 120  # seconds that an interrupted program may take for its last pass
+PATIENCE = 10, 120  # least and most seconds that an interrupted program may take for its last pass
 
 
 class Stopped(Exception):
@@ -119,13 +119,15 @@ class SunfleckEngine(bpy.types.RenderEngine):
         for name, letters, _, _ in extra:
             self.add_pass(name, len(letters), letters, layer=layer)
         start, passes, error, stopped = time.monotonic(), 0, None, None
-        newest = None
+        newest, patience = None, PATIENCE[1]
         while render.is_running():
             time.sleep(WAIT)
             if self.test_break() and stopped is None:
                 stopped = time.monotonic()
+                patience = min(max(PATIENCE[0], 2 * (stopped - start) / max(passes, 1)),
+                               PATIENCE[1])
                 render.interrupt()
-            if stopped is not None and time.monotonic() - stopped > PATIENCE:
+            if stopped is not None and time.monotonic() - stopped > patience:
                 break
             snapshot = render.newest_snapshot()
             if snapshot:

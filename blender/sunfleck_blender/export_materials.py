@@ -92,7 +92,9 @@ class MaterialBook:
         closure, bend, absorbed = self.reading(material)
         base = (_name(material) or "no material")
         name = base if key[1] is None else f"{base} on {key[1]}"
-        thin = getattr(getattr(material, "sunfleck", None), "thin", False)
+        own = getattr(material, "sunfleck", None)
+        thin = getattr(own, "thin", False)
+        glass = getattr(own, "glass", "NONE")
         missing = self.missing(material)
         self.text.about(f"material {base}")
         textures = TextureText(self.text, self.images, name, frame, missing)
@@ -100,7 +102,7 @@ class MaterialBook:
                  if b[0] == "normalmap"] + ([closure.emission] if closure.emission else [])
         others = _values(closure, bend)
         textures.choose_base(fixed, others)
-        self._named(closure.material or BLACK, name, textures, bend, thin)
+        self._named(closure.material or BLACK, name, textures, bend, (thin, glass))
         through = lets_light_through(closure.material) and not thin
         return Written(
             name, alpha=self._alpha(closure, textures),
@@ -111,11 +113,11 @@ class MaterialBook:
             uv_layer=textures.layer, uv_base=textures.base,
             needs_uv=any(planes(value) for value in others + fixed) or _anisotropic(closure))
 
-    def _named(self, material, name, textures, bend, thin):
+    def _named(self, material, name, textures, bend, kind):
         if isinstance(material, Blend):
             names = [f"{name} (1)", f"{name} (2)"]
-            self._named(material.first, names[0], textures, bend, thin)
-            self._named(material.second, names[1], textures, bend, thin)
+            self._named(material.first, names[0], textures, bend, kind)
+            self._named(material.second, names[1], textures, bend, kind)
             parameters = {"string materials": names}
             parameters |= textures.number("amount", material.amount)
             self._make(name, "mix", parameters)
@@ -125,8 +127,8 @@ class MaterialBook:
         for parameter, value in material.spectra.items():
             parameters |= textures.spectrum(parameter, value)
         numbers = material.numbers
-        if thin and word == "dielectric":
-            word, numbers = "thindielectric", {"eta": numbers["eta"]}
+        if word == "dielectric":
+            word, numbers = kind_of_glass(numbers, *kind)
         for parameter, value in numbers.items():
             parameters |= textures.number(parameter, value)
         if word not in ("interface", "thindielectric"):
@@ -163,6 +165,13 @@ class MaterialBook:
         if not isinstance(value, Flat):
             missing("emission that varies: its mean counts")
         return {"rgb L": list(value.mean())}
+
+
+def kind_of_glass(numbers, thin, glass):
+    """Returns the word and numbers of a dielectric that is a thin pane or of a glass by name."""
+    if glass != "NONE":
+        numbers = numbers | {"eta": glass}
+    return ("thindielectric", {"eta": numbers["eta"]}) if thin else ("dielectric", numbers)
 
 
 def _name(material):

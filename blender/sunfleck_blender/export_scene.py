@@ -20,6 +20,15 @@ class Exported:
     objects: int
 
 
+def name_missing(render, warn):
+    """Names what the scene's render settings ask for and is not simulated."""
+    for name, text in (("film_transparent", "a transparent film: the world is seen instead"),
+                       ("use_motion_blur", "motion blur: things stand as in the frame"),
+                       ("use_multiview", "stereoscopy: one picture is rendered")):
+        if getattr(render, name, False):
+            warn(f"scene: {text}")
+
+
 def export_scene(depsgraph, folder, resolve, max_depth, warn, progress=lambda text: None):
     """Writes the scene that `depsgraph` has evaluated.
 
@@ -33,6 +42,7 @@ def export_scene(depsgraph, folder, resolve, max_depth, warn, progress=lambda te
             told.add(text)
             warn(text)
     scene = depsgraph.scene_eval
+    name_missing(scene.render, warn_once)
     text = SceneText()
     camera = scene.camera.evaluated_get(depsgraph) if scene.camera else None
     write_camera(text, scene, camera, "picture.exr", warn_once)

@@ -84,7 +84,9 @@ class TextureText:
         return {f"texture {name}": self._texture(value, "spectrum")}
 
     def number(self, name, value):
-        """Returns the parameter {"float name", "texture name" or "bool name": ...}."""
+        """Returns the parameter of a number, a truth, a named spectrum or a value."""
+        if isinstance(value, str):
+            return {f"spectrum {name}": value}
         if isinstance(value, bool):
             return {f"bool {name}": value}
         if isinstance(value, (int, float)):

@@ -74,7 +74,9 @@ class SUNFLECK_PT_material(Panel):
         return context.engine == ENGINE and context.material is not None
 
     def draw(self, context):
+        self.layout.use_property_split = True
         self.layout.prop(context.material.sunfleck, "thin")
+        self.layout.prop(context.material.sunfleck, "glass")
 
 
 class SUNFLECK_PT_light(Panel):

@@ -85,7 +85,8 @@ Material interface(const Statement& statement, Assets&) {
 
 Material coated_diffuse(const Statement& statement, Assets& assets) {
     return CoatedDiffuseMaterial{diffuse_by(statement, "reflectance", assets).reflectance,
-                                 coat_of(statement, {}, assets)};
+                                 coat_of(statement, {}, assets),
+                                 statement.flag("compensated", false)};
 }
 
 Material coated_conductor(const Statement& statement, Assets& assets) {
@@ -140,7 +141,10 @@ constexpr auto kRows = std::to_array<Row>({
      "the "
      "coat would scatter; a texture of its roughness counts as its mean, a spectrum of its "
      "index as "
-     "its mean, with warnings"},
+     "its mean, with warnings. `compensated` (false; ours, pbrt-v4 refuses it): `reflectance` is "
+     "how "
+     "much of the light that has entered leaves again, so that what a rough coat loses is given "
+     "back"},
     {"coatedconductor", coated_conductor, kExact,
      "`conductor.eta`, `conductor.k` or `reflectance`, `conductor.roughness`; `interface.eta`, "
      "`interface.roughness`, `interface.thickness`: in closed form, exact where both are smooth, "

@@ -73,6 +73,9 @@ TEST(Materials, coated_diffuse_has_a_coat) {
     EXPECT_FLOAT_EQ(plain.reflectance.curve()(500), 0.3F);
     EXPECT_EQ(plain.coat->eta(), 1.5F);
     EXPECT_FALSE(plain.coat->facets());
+    EXPECT_FALSE(plain.whole);
+    EXPECT_TRUE(
+        made<CoatedDiffuseMaterial>("Material \"coateddiffuse\" \"bool compensated\" true").whole);
     EXPECT_EQ(warnings_with(smooth, "coat"), 0);
     EXPECT_EQ(warnings_with(smooth, "unused"), 0);
     const auto rough = made<CoatedDiffuseMaterial>(
