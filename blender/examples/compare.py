@@ -19,6 +19,7 @@ import sunfleck_blender  # noqa: E402
 from sunfleck_blender.picture_files import read_exr, to_bytes, to_srgb, write_png  # noqa: E402
 
 BLOCK = 32
+LUMENS_PER_WATT = 683  # of Blender's exporter
 
 
 def pixels_of(path):
@@ -100,9 +101,9 @@ def compare(name, folder, seconds, say):
     say(agreement(f"{name}, add-on over Cycles", cycles, ours))
     gltf = render_gltf(base + "-gltf", seconds)
     if gltf is not None:
-        scale = np.median(ours) / np.median(gltf)
-        save_png(base + "-gltf.png", gltf, exposure * scale)
-        say(agreement(f"{name}, glTF (times {scale:.4g}) over add-on", ours, gltf * scale))
+        gltf = gltf / LUMENS_PER_WATT
+        save_png(base + "-gltf.png", gltf, exposure)
+        say(agreement(f"{name}, glTF over add-on", ours, gltf))
     scenes.hide_caustics()
     cycles = render("CYCLES", base + "-plain-cycles.exr", seconds)
     ours = render("SUNFLECK", base + "-plain-addon.exr", seconds)

@@ -35,7 +35,7 @@ def wine_glass():
                     location=cup.location))
     light("SUN", (-0.7, 0.6, 0.9), (0, 0, 0), 5.0, angle=math.radians(0.53))
     world(0.25, 0.3, 0.4)
-    camera((0.1, -0.62, 0.34), (0.03, -0.01, 0.07), 50)
+    camera((0.1, -0.66, 0.36), (0.035, -0.01, 0.085), 46)
 
 
 def gem():
@@ -110,8 +110,8 @@ def bottle_and_mirror():
              for i in range(25)]
     back = [(r, h - 0.004) for r, h in front]
     mirror = placed("Mirror", lathe("Mirror", back + list(reversed(front))),
-                    material("Silver", "ShaderNodeBsdfGlossy", Color=(0.95, 0.95, 0.95, 1),
-                             Roughness=0.0), location=(0.16, 0.09, 0.092))
+                    material("Silver", "ShaderNodeBsdfPrincipled", Metallic=1.0,
+                             Base_Color=(0.95, 0.95, 0.95, 1), Roughness=0.0), location=(0.16, 0.09, 0.092))
     # It throws the spot's light on the table before it, near its focus.
     mirror.rotation_euler = (math.radians(91.4), 0, math.radians(-32.7))
     mirror["caustic"] = True

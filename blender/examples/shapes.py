@@ -35,12 +35,15 @@ def material(name, kind, volume=None, **inputs):
 
 
 def diffuse(name, *colour):
-    return material(name, "ShaderNodeBsdfDiffuse", Color=(*colour, 1))
+    """Returns a matt material; a Principled one, since Blender's glTF exporter knows no other."""
+    return material(name, "ShaderNodeBsdfPrincipled", Base_Color=(*colour, 1), Specular=0.0,
+                    Roughness=1.0)
 
 
 def glass(name, ior=1.5, volume=None):
-    return material(name, "ShaderNodeBsdfGlass", volume, Color=(1, 1, 1, 1), Roughness=0.0,
-                    IOR=ior)
+    """Returns smooth glass, likewise."""
+    return material(name, "ShaderNodeBsdfPrincipled", volume, Base_Color=(1, 1, 1, 1),
+                    Transmission=1.0, Roughness=0.0, IOR=ior)
 
 
 def placed(name, data, made=None, location=(0, 0, 0), rotation=(0, 0, 0)):
@@ -163,6 +166,6 @@ def textured(name, image):
     tree = made.node_tree
     node = tree.nodes.new("ShaderNodeTexImage")
     node.image = image
-    shader = next(n for n in tree.nodes if n.type == "BSDF_DIFFUSE")
-    tree.links.new(node.outputs["Color"], shader.inputs["Color"])
+    shader = next(n for n in tree.nodes if n.type == "BSDF_PRINCIPLED")
+    tree.links.new(node.outputs["Color"], shader.inputs["Base Color"])
     return made

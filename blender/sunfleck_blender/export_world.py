@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from . import picture_files, sky_maps
+from . import picture_files, skies, sky_maps
 from .mappings import coordinates
 from .sockets import socket, source
 from .textures import TextureReader
@@ -29,7 +29,9 @@ def write_world(text, folder, world, images, warn):
         missing("a volume that fills the world: left out")
     reader = TextureReader(images, missing)
     radiance = _radiance(reader, output.inputs["Surface"], ())
-    if isinstance(radiance, Flat):
+    if isinstance(radiance, Daylight):
+        text.light(f"world {world.name}", "LightSource", "sky", radiance.parameters)
+    elif isinstance(radiance, Flat):
         _even(text, world.name, radiance.mean())
     elif radiance is not None:
         _picture(text, folder, world.name, radiance)
@@ -41,6 +43,13 @@ class Surroundings:
     def __init__(self, pixels, turn):
         self.pixels = pixels
         self.turn = turn
+
+
+class Daylight:
+    """Sunfleck's own sky with its sun: parameters of the statement."""
+
+    def __init__(self, parameters):
+        self.parameters = parameters
 
 
 def _radiance(reader, found, groups):
@@ -62,6 +71,9 @@ def _radiance(reader, found, groups):
         parts = [_radiance(reader, s, groups) for s in node.inputs[:2]]
         flats = [p for p in parts if isinstance(p, Flat)]
         maps = [p for p in parts if isinstance(p, Surroundings)]
+        if any(isinstance(p, Daylight) for p in parts):
+            reader.missing("a sum with a sky that has a sun: the sky alone is used")
+            return next(p for p in parts if isinstance(p, Daylight))
         if len(maps) > 1:
             reader.missing("a sum of two environment pictures: the first is used")
         total = combine(lambda *c: sum(c), flats) if flats else flat(0)
@@ -73,6 +85,8 @@ def _radiance(reader, found, groups):
 def _scaled(value, factor):
     if isinstance(value, Surroundings):
         return Surroundings(value.pixels * factor, value.turn)
+    if isinstance(value, Daylight):
+        return Daylight(value.parameters | {"float scale": factor})
     return combine(lambda c: c * factor, [value])
 
 
@@ -85,8 +99,7 @@ def _colour(reader, found, groups):
     if node.type == "TEX_ENVIRONMENT":
         return _environment(reader, node, groups)
     if node.type == "TEX_SKY":
-        reader.missing("a sky texture is not read yet: an even blue sky is used")
-        return flat(0.3, 0.5, 0.9)
+        return _sky(reader, node)
     reader.missing(f'node "{node.bl_label}" on a world\'s picture: left out')
     return _colour(reader, socket(node, "colour"), groups)
 
@@ -101,6 +114,20 @@ def _environment(reader, node, groups):
     where = coordinates(reader, socket(node, "Vector"), groups, "generated")
     matrix = np.asarray(where.matrix)[:3, :3]
     return Surroundings(reader.images.linear_pixels(image), matrix)
+
+
+def _sky(reader, node):
+    if node.inputs and node.inputs[0].is_linked:
+        reader.missing("coordinates of a sky texture: it is not turned")
+    azimuth, elevation = skies.sun_of(node)
+    if node.sky_type == "NISHITA" and node.sun_disc and elevation >= 0:
+        reader.missing("Nishita's sky is rendered as that of Hosek and Wilkie, with its sun of half "
+                       "a degree; air, dust, ozone and the sun's size do not count")
+        return Daylight({"float azimuth": azimuth, "float elevation": min(elevation, 90)})
+    reader.missing("a sky texture without a sun is rendered as Preetham's, about as bright")
+    turbidity = 3 if node.sky_type == "NISHITA" else node.turbidity
+    sun = skies.direction_of(azimuth, max(elevation, 1))
+    return Surroundings(skies.sky_panorama(node.sky_type, sun, turbidity), np.eye(3))
 
 
 def _even(text, name, radiance):

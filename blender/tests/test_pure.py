@@ -14,8 +14,8 @@ import numpy as np
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 from sunfleck_blender import (bends, coats, colour_nodes, export_camera, geometry, image_files,
-                              mappings, picture_files, ply, program, scene_text, sky_maps,
-                              texture_text, units, values)
+                              mappings, picture_files, ply, program, scene_text, skies,
+                              sky_maps, texture_text, units, values)
 from sunfleck_blender.closures import BLACK, NOTHING, Closure, Plain, add_closures, mix_closures
 
 CUBE = (np.array([(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)], float),
@@ -132,6 +132,20 @@ class Pictures(unittest.TestCase):
         power = math.cos(theta) * 25 * (2 * math.pi / 128) * (math.pi / 64)
         self.assertAlmostEqual(float(mapped[..., 0].sum()) * 4 * math.pi / 64 ** 2, power,
                                delta=0.05 * power)
+
+
+    def test_skies_without_a_sun_are_brightest_around_it_and_blue_away_from_it(self):
+        sun = skies.direction_of(90, 40)
+        np.testing.assert_allclose(sun[:2], (math.cos(math.radians(40)), 0), atol=1e-12)
+        near = skies.preetham(np.array([sun]), sun, 3)[0]
+        far = skies.preetham(np.array([[-0.6, 0, 0.8]]), sun, 3)[0]
+        self.assertGreater(near[1], 3 * far[1])
+        self.assertGreater(far[2], 1.5 * far[0])
+        pixels = skies.sky_panorama("HOSEK_WILKIE", sun, 3)
+        mapped = sky_maps.equal_area_map(pixels, 64)
+        up = np.maximum(sky_maps.equal_area_directions(64)[..., 2], 0)
+        ground = (mapped @ values.LUMA * up).sum() * 4 * math.pi / 64 ** 2
+        self.assertAlmostEqual(float(ground), 0.2394, delta=0.005)
 
 
 class Nodes(unittest.TestCase):
