@@ -8,10 +8,10 @@ import time
 import bpy
 
 from . import program
-from .export_camera import ViewFault
 from .export_scene import export_scene
 from .passes import group_passes, pass_list, show
 from .program import ProgramFault, Render
+from .scene_text import SceneFault
 
 WAIT = 0.2  # seconds between looks at the program
 PATIENCE = 10, 120  # least and most seconds that an interrupted program may take for its last pass
@@ -72,7 +72,7 @@ class SunfleckEngine(bpy.types.RenderEngine):
             self._render(depsgraph, folder)
             if scene.sunfleck.folder:
                 keep(folder, bpy.path.abspath(scene.sunfleck.folder), scene.frame_current)
-        except (ProgramFault, ViewFault) as fault:
+        except (ProgramFault, SceneFault) as fault:
             self.fail(str(fault))
         except Stopped:
             pass

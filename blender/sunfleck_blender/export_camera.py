@@ -2,12 +2,8 @@
 
 import numpy as np
 
-from .matrices import matrix_of, turn_of
-from .scene_text import columns
-
-
-class ViewFault(Exception):
-    """A camera that cannot be rendered."""
+from .matrices import is_usable, matrix_of, turn_of
+from .scene_text import SceneFault, columns
 
 
 def picture_size(render):
@@ -59,23 +55,28 @@ def lens(data, matrix, missing):
 
 
 def write_camera(text, scene, camera, file_name, warn):
-    """Writes Camera and Film. camera: the evaluated camera object."""
+    """Writes Camera and Film. camera: the evaluated camera object.
+
+    Raises SceneFault where it cannot be rendered.
+    """
     if camera is None:
-        raise ViewFault("the scene has no camera: add one, and make it the scene's camera")
+        raise SceneFault("the scene has no camera: add one, and make it the scene's camera")
     if camera.type != "CAMERA":
-        raise ViewFault(f'the scene\'s camera "{camera.name}" is no camera: choose one that is')
+        raise SceneFault(f'the scene\'s camera "{camera.name}" is no camera: choose one that is')
     data = camera.data
 
     def missing(what):
         warn(f'camera "{camera.name}": {what}')
     if data.type == "PANO":
-        raise ViewFault(f'camera "{camera.name}" is panoramic, which is not read: make it '
+        raise SceneFault(f'camera "{camera.name}" is panoramic, which is not read: make it '
                         "perspective or orthographic")
     render = scene.render
     size = picture_size(render)
     matrix = matrix_of(camera.matrix_world)
+    if not is_usable(matrix):
+        raise SceneFault(f'camera "{camera.name}" has no extent along an axis, or no place: mend '
+                         "its scale")
     fit = data.sensor_fit
-    landscape = size[0] * render.pixel_aspect_x >= size[1] * render.pixel_aspect_y
     width = data.sensor_height if fit == "VERTICAL" else data.sensor_width
     half = data.ortho_scale / 2 if data.type == "ORTHO" else width / (2 * data.lens)
     window = screen_window(fit, size, (render.pixel_aspect_x, render.pixel_aspect_y),
@@ -98,7 +99,6 @@ def write_camera(text, scene, camera, file_name, warn):
                              "integer pixelbounds": (x0, x1, size[1] - y1, size[1] - y0),
                              "string filename": file_name})
     write_filter(text, render)
-    return landscape
 
 
 def write_filter(text, render):

@@ -57,7 +57,8 @@ class Objects:
         name = found.name_full
         if found.type == "LIGHT":
             if not is_usable(matrix):
-                matrix[:3, :3] = np.eye(3)
+                self.warn(f'light "{name}" has no extent along an axis, or no place: left out')
+                return
             export_lights.write_light(
                 self.text, self.folder, name, found.data, matrix,
                 getattr(getattr(found.data, "sunfleck", None), "seen", True), self.warn)
@@ -130,6 +131,7 @@ class Objects:
         self.text.about(f"object {one.name}")
         self.text.begin()
         written = self._materials(one)
+        self.text.about(f"object {one.name}")
         self.text.say("ConcatTransform", rest=columns(one.matrix))
         self._shapes(one, written)
         self.text.end()
@@ -139,6 +141,7 @@ class Objects:
         name = f"{first.name} (shared by {len(group)}, mesh {first.mesh})"
         self.text.about(f"object {first.name}")
         written = self._materials(first)
+        self.text.about(f"object {first.name}")
         self.text.say("ObjectBegin", name)
         self._shapes(first, written)
         self.text.say("ObjectEnd")

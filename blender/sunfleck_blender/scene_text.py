@@ -7,6 +7,10 @@ import numbers
 ERROR_PLACE = re.compile(r"([^\s:]*scene\.pbrt):(\d+):(\d+): ?")
 
 
+class SceneFault(Exception):
+    """What makes a scene impossible to render; the text is for the user."""
+
+
 def quoted(text):
     """Returns text as a quoted string of the scene language."""
     escaped = text.replace("\\", "\\\\").replace('"', '\\"')
@@ -55,6 +59,8 @@ class SceneText:
 
     def about(self, name):
         """What follows describes `name`, as "object Cube"."""
+        if self._names and self._names[-1] == name:
+            return
         self._starts.append(len(self.lines) + 1)
         self._names.append(name)
         self._add("# " + in_comment(name))
@@ -66,7 +72,11 @@ class SceneText:
             words.append(quoted(kind))
         if rest:
             words.append(rest)
-        words += [parameter(name, value) for name, value in (parameters or {}).items()]
+        try:
+            words += [parameter(name, value) for name, value in (parameters or {}).items()]
+        except ValueError as fault:
+            about = self._names[-1] if self._names else "scene"
+            raise SceneFault(f"{about}: {keyword} has {fault}") from fault
         self._add(" ".join(words))
 
     def begin(self):

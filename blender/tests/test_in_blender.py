@@ -18,9 +18,10 @@ import numpy as np
 sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 import sunfleck_blender
-from sunfleck_blender import program
+from sunfleck_blender import picture_files, program
 from sunfleck_blender.engine import image_path
 from sunfleck_blender.export_scene import export_scene
+from sunfleck_blender.scene_text import SceneFault
 
 PROGRAM = sys.argv[sys.argv.index("--") + 1]
 
@@ -288,6 +289,53 @@ class Renders(Case):
         render.border_min_x, render.border_max_x = 0.25, 0.75
         render.border_min_y, render.border_max_y = 0.5, 1
         self.assertEqual(self.render(1).shape[:2], (12, 16))
+
+    def test_frames_view_layers_and_light_groups_are_rendered(self):
+        self.sunlit_plane()
+        scene = bpy.context.scene
+        lamp = bpy.data.lights.new("Lamp", "POINT")
+        lamp.energy = 500
+        thing = bpy.data.objects.new("Lämp 1", lamp)
+        thing.location.z = 3
+        scene.collection.objects.link(thing)
+        thing.keyframe_insert("location", frame=1)
+        thing.location.z = 6
+        thing.keyframe_insert("location", frame=2)
+        scene.view_layers.new("Second")
+        scene.frame_end = 2
+        scene.sunfleck.light_groups, scene.sunfleck.passes = "EACH", 1
+        scene.sunfleck.time, scene.sunfleck.folder = 0, os.path.join(self.folder, "kept")
+        scene.render.image_settings.file_format = "OPEN_EXR_MULTILAYER"
+        scene.render.filepath = os.path.join(self.folder, "frame-")
+        os.environ["PATH"], old = os.path.dirname(PROGRAM) + os.pathsep + os.environ["PATH"], \
+            os.environ["PATH"]
+        try:
+            bpy.ops.render.render(animation=True)
+        finally:
+            os.environ["PATH"] = old
+        contents = []
+        for frame in (1, 2):
+            with open(os.path.join(self.folder, f"frame-{frame:04d}.exr"), "rb") as file:
+                contents.append(file.read())
+            for channel in ("ViewLayer.Sun.R", "ViewLayer.L_mp_1.R", "Second.Combined.R"):
+                self.assertIn(channel.encode(), contents[-1])
+        self.assertNotEqual(*contents)
+        kept = os.path.join(self.folder, "kept", "frame-0001")
+        parts = picture_files.read_exr(os.path.join(kept, "result.exr"))
+        np.testing.assert_allclose(parts["Sun.R"] + parts["L_mp_1.R"], parts["R"], rtol=1e-3)
+
+    def test_a_scene_without_a_camera_is_told(self):
+        bpy.context.scene.camera = None
+        with self.assertRaisesRegex(SceneFault, "no camera"):
+            export_scene(bpy.context.evaluated_depsgraph_get(), self.folder, image_path, 64,
+                         self.warnings.append)
+
+    def test_numbers_that_are_none_are_told_by_name(self):
+        made, _, _ = material("Broken", "ShaderNodeEmission", Strength=float("nan"))
+        bpy.ops.mesh.primitive_plane_add()
+        bpy.context.object.data.materials.append(made)
+        with self.assertRaisesRegex(SceneFault, "Plane: AreaLightSource"):
+            self.export()
 
     def test_a_program_that_is_missing_is_told(self):
         with self.assertRaisesRegex(RuntimeError, "Preferences"):
