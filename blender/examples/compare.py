@@ -120,6 +120,7 @@ def main(folder, seconds, names):
             def say(line):
                 print("RESULT", line, flush=True)
                 table.write(line + "\n")
+                table.flush()
             compare(name, folder, seconds, say)
 
 

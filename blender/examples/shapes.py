@@ -35,9 +35,9 @@ def material(name, kind, volume=None, **inputs):
 
 
 def diffuse(name, *colour):
-    """Returns a matt material; a Principled one, since Blender's glTF exporter knows no other."""
+    """Returns a matt material; a Principled one, since the exporter of glTF knows no other."""
     return material(name, "ShaderNodeBsdfPrincipled", Base_Color=(*colour, 1), Specular=0.0,
-                    Roughness=1.0)
+                    Roughness=0.5)
 
 
 def glass(name, ior=1.5, volume=None):

@@ -6,6 +6,7 @@ import numpy as np
 
 from . import bends, volumes
 from .closures import (BLACK, Blend, Closure, Plain, lets_light_through, plain_parts)
+from .named import with_name
 from .shaders import ShaderReader
 from .texture_text import UNIT, TextureText, needs_frame, planes
 from .textures import TextureReader
@@ -94,7 +95,7 @@ class MaterialBook:
         name = base if key[1] is None else f"{base} on {key[1]}"
         own = getattr(material, "sunfleck", None)
         thin = getattr(own, "thin", False)
-        glass = getattr(own, "glass", "NONE")
+        named = getattr(own, "named", "NONE")
         missing = self.missing(material)
         self.text.about(f"material {base}")
         textures = TextureText(self.text, self.images, name, frame, missing)
@@ -102,7 +103,7 @@ class MaterialBook:
                  if b[0] == "normalmap"] + ([closure.emission] if closure.emission else [])
         others = _values(closure, bend)
         textures.choose_base(fixed, others)
-        self._named(closure.material or BLACK, name, textures, bend, (thin, glass))
+        self._named(closure.material or BLACK, name, textures, bend, (thin, named))
         through = lets_light_through(closure.material) and not thin
         return Written(
             name, alpha=self._alpha(closure, textures),
@@ -123,12 +124,12 @@ class MaterialBook:
             self._make(name, "mix", parameters)
             return
         parameters = {}
-        word = material.word
-        for parameter, value in material.spectra.items():
+        word, (thin, named) = material.word, kind
+        spectra, numbers = with_name(word, material.spectra, material.numbers, named)
+        if thin and word == "dielectric":
+            word, numbers = "thindielectric", {"eta": numbers["eta"]}
+        for parameter, value in spectra.items():
             parameters |= textures.spectrum(parameter, value)
-        numbers = material.numbers
-        if word == "dielectric":
-            word, numbers = kind_of_glass(numbers, *kind)
         for parameter, value in numbers.items():
             parameters |= textures.number(parameter, value)
         if word not in ("interface", "thindielectric"):
@@ -165,13 +166,6 @@ class MaterialBook:
         if not isinstance(value, Flat):
             missing("emission that varies: its mean counts")
         return {"rgb L": list(value.mean())}
-
-
-def kind_of_glass(numbers, thin, glass):
-    """Returns the word and numbers of a dielectric that is a thin pane or of a glass by name."""
-    if glass != "NONE":
-        numbers = numbers | {"eta": glass}
-    return ("thindielectric", {"eta": numbers["eta"]}) if thin else ("dielectric", numbers)
 
 
 def _name(material):

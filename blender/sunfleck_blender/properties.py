@@ -2,6 +2,8 @@
 
 import bpy
 
+from .named import NAMES
+
 AOVS = (
     ("direct", "Direct", "Light that comes straight from an emitter to what is seen"),
     ("caustic", "Caustic", "Light from an emitter by way of smooth glass or metal alone"),
@@ -47,22 +49,15 @@ class SunfleckScene(bpy.types.PropertyGroup):
         description="Folder in which the exported scene stays after the render; empty for none")
 
 
-GLASSES = (("NONE", "By IOR", "The index of the shader node, the same for all colours"),
-           ("glass-BK7", "BK7", "Crown glass, 1.517"), ("glass-BAF10", "BAF10", "1.670"),
-           ("glass-FK51A", "FK51A", "Low dispersion, 1.487"),
-           ("glass-LASF9", "LASF9", "High index, 1.850"), ("glass-F5", "SF5", "Flint, 1.673"),
-           ("glass-F10", "SF10", "Dense flint, 1.728"), ("glass-F11", "SF11", "Dense flint, 1.785"))
-
-
 class SunfleckMaterial(bpy.types.PropertyGroup):
     """What Blender's nodes do not say of a material."""
     thin: bpy.props.BoolProperty(
         name="Thin Glass", default=False,
         description="The surface is a pane that does not bend light, such as a window made of one "
                     "face")
-    glass: bpy.props.EnumProperty(
-        name="Glass", items=GLASSES, default="NONE",
-        description="Index by wavelength: glass parts light into colours")
+    named: bpy.props.EnumProperty(
+        name="Index", items=[row[:3] for row in NAMES], default="NONE",
+        description="Index by wavelength, for glass that parts light into colours, and for metals")
 
 
 class SunfleckLight(bpy.types.PropertyGroup):

@@ -85,7 +85,7 @@ class TextureText:
 
     def number(self, name, value):
         """Returns the parameter of a number, a truth, a named spectrum or a value."""
-        if isinstance(value, str):
+        if isinstance(value, (str, np.ndarray)):
             return {f"spectrum {name}": value}
         if isinstance(value, bool):
             return {f"bool {name}": value}

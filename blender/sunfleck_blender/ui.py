@@ -6,8 +6,8 @@ ENGINE = "SUNFLECK"
 
 # Panels of other engines whose settings are read.
 SHARED = ("EEVEE_MATERIAL_PT_context_material", "EEVEE_MATERIAL_PT_surface",
-          "EEVEE_MATERIAL_PT_volume", "EEVEE_WORLD_PT_surface", "DATA_PT_EEVEE_light",
-          "DATA_PT_spot", "MATERIAL_PT_preview")
+          "EEVEE_MATERIAL_PT_volume", "EEVEE_WORLD_PT_surface", "DATA_PT_spot",
+          "MATERIAL_PT_preview")
 # Panels for any engine that would set what is not read.
 LEFT_OUT = ("RENDER_PT_simplify", "RENDER_PT_gpencil", "VIEWLAYER_PT_freestyle",
             "RENDER_PT_freestyle", "VIEWLAYER_PT_layer_passes")
@@ -45,7 +45,8 @@ class SUNFLECK_PT_outputs(Panel):
     def draw(self, context):
         layout = self.layout
         settings = context.scene.sunfleck
-        layout.prop(settings, "aovs")
+        layout.label(text="AOVs")
+        layout.column(align=True).prop(settings, "aovs")
         layout.prop(settings, "light_groups")
         if settings.light_groups == "GROUPS":
             layer = context.view_layer
@@ -76,7 +77,7 @@ class SUNFLECK_PT_material(Panel):
     def draw(self, context):
         self.layout.use_property_split = True
         self.layout.prop(context.material.sunfleck, "thin")
-        self.layout.prop(context.material.sunfleck, "glass")
+        self.layout.prop(context.material.sunfleck, "named")
 
 
 class SUNFLECK_PT_light(Panel):
@@ -89,7 +90,12 @@ class SUNFLECK_PT_light(Panel):
 
     def draw(self, context):
         layout = self.layout
+        layout.use_property_split = True
         light = context.light
+        layout.prop(light, "color")
+        layout.prop(light, "energy")
+        if light.type in ("POINT", "SPOT"):
+            layout.prop(light, "shadow_soft_size", text="Radius")
         if light.type == "SUN":
             layout.prop(light, "angle")
         if light.type in ("POINT", "AREA"):

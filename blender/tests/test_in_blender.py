@@ -258,6 +258,17 @@ class Materials(Case):
         self.assertAlmostEqual(float(sigma[1]), -2 * math.log(0.5) / (4 / 3), places=4)
         self.assertAlmostEqual(float(sigma[2]), 1.5, places=4)
 
+    def test_glasses_and_metals_by_name_have_their_indices(self):
+        for name, kind in (("diamond", "Glass"), ("glass-BK7", "Glass"), ("metal-Au", "Glossy")):
+            made, _, _ = material(name, f"ShaderNodeBsdf{kind}")
+            made.sunfleck.named = name
+            self.plane(made)
+        text, _ = self.export()
+        self.assertIn('"spectrum eta" [ "glass-BK7" ]', text)
+        self.assertIn('"spectrum k" [ "metal-Au-k" ]', text)
+        index = float(re.search(r'"spectrum eta" \[ 360 .* 590 (\S+) 600', text)[1])
+        self.assertAlmostEqual(index, 2.417, delta=2e-3)
+
     def test_every_shader_of_the_table_is_read(self):
         for kind in ("Principled", "Diffuse", "Glossy", "Anisotropic", "Glass", "Refraction",
                      "Translucent", "Transparent", "Velvet", "Toon"):
