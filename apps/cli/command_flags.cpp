@@ -7,6 +7,8 @@
 #include "procedural/scenes.h"
 #include "sunfleck/error.h"
 
+#include <filesystem>
+
 namespace sunfleck::engine {
 namespace {
 
@@ -39,6 +41,13 @@ double read_minutes(const std::string& text, const std::string& flag) {
 const Shell* read_shell(const std::string& text, const std::string& flag) {
     if (const Shell* const shell = row_named(kShells, text)) return shell;
     throw Error({flag}, "does not take \"" + text + "\"", "use " + form_of_names(kShells));
+}
+
+/// A file whose name ends in .pbrt.
+std::string read_pbrt_name(const std::string& text, const std::string& flag) {
+    const std::filesystem::path path(text);
+    if (path.extension() == ".pbrt") return text;
+    throw Error({flag}, "\"" + text + "\" is no name of a .pbrt file", "write for instance cup.pbrt");
 }
 
 }  // namespace
@@ -83,6 +92,7 @@ void add_info_flags(CLI::App& app, InfoOptions& o) {
     app.add_flag("--lights", o.lights, "Also each light, by its number")->needs(scene);
     app.add_flag("--words", o.words, "Instead: all words of the language, as Markdown")
         ->excludes(scene);
+    add_request_flags(app, o.scene_request);
 }
 
 void add_scene_flags(CLI::App& app, SceneOptions& o) {
@@ -91,6 +101,20 @@ void add_scene_flags(CLI::App& app, SceneOptions& o) {
         ->option_text("NAME");
     app.add_option("-o,--output", o.folder, "Folder to write to (default .)")->type_name("FOLDER");
     app.add_flag("--force", o.force, "Replace files there that differ");
+}
+
+void add_convert_flags(CLI::App& app, ConvertOptions& o) {
+    add_value(app, {.name = "SCENE", .form = "FILE", .help = "Scene file"}, o.scene, read_name)
+        ->required();
+    add_value(app,
+              {.name = "-o,--output",
+               .form = "FILE",
+               .help = "The .pbrt file to write; a folder NAME-files beside it has meshes and "
+                       "pictures"},
+              o.output, read_pbrt_name)
+        ->required();
+    app.add_flag("--force", o.force, "Replace files there that differ");
+    add_request_flags(app, o.scene_request);
 }
 
 void add_completion_flags(CLI::App& app, ManualOptions& o) {

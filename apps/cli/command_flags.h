@@ -19,6 +19,7 @@ struct ManualOptions {
 
 void add_info_flags(CLI::App& app, InfoOptions& options);
 void add_scene_flags(CLI::App& app, SceneOptions& options);
+void add_convert_flags(CLI::App& app, ConvertOptions& options);
 /// @param flags  receives the flags that merge and relight share with renders.
 void add_merge_flags(CLI::App& app, MergeOptions& options, RenderFlags& flags);
 void add_relight_flags(CLI::App& app, RelightOptions& options, RenderFlags& flags);

@@ -23,6 +23,7 @@ public:
         add_render_flags(*render_app_, render_, flags_);
         add_info_flags(*info_app_, info_);
         add_scene_flags(*scene_app_, scene_);
+        add_convert_flags(*convert_app_, convert_);
         add_merge_flags(*merge_app_, merge_, flags_);
         add_relight_flags(*relight_app_, relight_, flags_);
         add_compare_flags(*compare_app_, compare_);
@@ -73,13 +74,15 @@ public:
             options.info = info_;
         } else if (scene_app_->parsed()) {
             options.scene = scene_;
+        } else if (convert_app_->parsed()) {
+            options.convert = convert_;
         } else if (merge_app_->parsed()) {
             const RenderRequest request = flags_.finish();
-            merge_.exposure = request.exposure;
+            merge_.exposure = request.exposure.value_or(Exposure());
             merge_.extrapolate = request.stop.error_terms.extrapolated;
             options.merge = merge_;
         } else if (relight_app_->parsed()) {
-            relight_.exposure = flags_.finish().exposure;
+            relight_.exposure = flags_.finish().exposure.value_or(Exposure());
             options.relight = relight_;
         } else if (experiment_app_->parsed()) {
             check_experiment(*experiment_app_);
@@ -131,6 +134,8 @@ private:
     CLI::App* scene_app_ =
         add_command("scene", "Write one of Sunfleck's own scenes; without NAME, list them",
                     "  sunfleck scene cognac-0 -o scenes");
+    CLI::App* convert_app_ = add_command("convert", "Write a scene of any format as a pbrt-v4 scene",
+                                         "  sunfleck convert lamp.glb -o lamp.pbrt");
     CLI::App* merge_app_ =
         add_command("merge", "Add up pass ranges of one render",
                     "  sunfleck merge a.film b.film -o scene.exr --stats scene.json");
@@ -152,6 +157,7 @@ private:
     RenderFlags flags_;  // of the command that is given: render, merge or relight
     InfoOptions info_;
     SceneOptions scene_;
+    ConvertOptions convert_;
     MergeOptions merge_;
     RelightOptions relight_;
     CompareOptions compare_;

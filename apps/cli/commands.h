@@ -14,6 +14,8 @@ int run_render(const RenderOptions& asked, const Ranks& ranks);
 int run_info(const InfoOptions& options);
 /// Writes one of Sunfleck's own scenes, or lists them.
 int run_scene(const SceneOptions& options);
+/// Writes a scene as a pbrt-v4 scene.
+int run_convert(const ConvertOptions& options);
 /// Makes figures and tables of the paper, or lists them. @return 0, or 130 when interrupted.
 int run_experiment(const ExperimentOptions& options);
 /// Adds up pass ranges of one render.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "flags/render_flags.h"
+#include "flags/scene_flags.h"
 #include "sunfleck/error.h"
 
 #include <CLI/CLI.hpp>
@@ -32,6 +33,21 @@ inline void add_flag(CLI::App& app, const RenderFlag& row, RenderFlags& flags) {
         option->type_name(form_of_names(row.value.choices, ","))->option_text(row.value.form);
     if (row.value.repeats)
         option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);
+}
+
+/// The flags of a scene, for a command that reads one.
+inline void add_request_flags(CLI::App& app, SceneRequest& request) {
+    for (const SceneFlag& row : scene_flags()) {
+        const auto take = [&](const CLI::results_t& texts) {
+            for (const std::string& text : texts) set_scene_flag(request, row, text);
+            return true;
+        };
+        CLI::Option* const option = app.add_option(row.name, take, row.help);
+        option->type_name(row.form)->group("Scene");
+        option->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);  // a second one is refused
+        if (row.repeats)
+            option->expected(1, CLI::detail::expected_max_vector_size)->allow_extra_args(false);
+    }
 }
 
 /// Any other flag, or a word without one.

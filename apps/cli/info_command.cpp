@@ -47,7 +47,8 @@ void print_words(const std::vector<UsedWord>& words) {
         const bool plain = used.directive == "Directive";
         const std::string name =
             plain ? used.word : fmt::format("{} \"{}\"", used.directive, used.word);
-        const bool exact = row->treatment == Treatment::exact;
+        const bool exact =
+            row->treatment == Treatment::exact || row->treatment == Treatment::ours;
         fmt::print("word        {:<12} {} x {}{}{}\n", name_of(row->treatment), used.count, name,
                    exact ? "" : ": ", exact ? "" : row->read_as);
     }
@@ -79,7 +80,7 @@ int run_info(const InfoOptions& options) {
         return 0;
     }
     try_threads();
-    SceneDescription description = load_scene(options.scene);
+    SceneDescription description = load_scene(options.scene, options.scene_request);
     std::size_t in_objects = 0;
     for (const auto& object : description.objects) in_objects += object.size();
     const std::size_t shapes = description.shapes.size();

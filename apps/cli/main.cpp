@@ -25,6 +25,7 @@ int run(int count, char** words, const Ranks& ranks) {
     if (options->render) return run_render(*options->render, ranks);
     if (options->info) return run_info(*options->info);
     if (options->scene) return run_scene(*options->scene);
+    if (options->convert) return run_convert(*options->convert);
     if (options->merge) return run_merge(*options->merge);
     if (options->relight) return run_relight(*options->relight);
     if (options->experiment) return run_experiment(*options->experiment);

@@ -4,6 +4,7 @@
 #include "experiment/cell.h"
 #include "film/relight.h"
 #include "flags/render_request.h"
+#include "import/scene_request.h"
 
 #include <optional>
 #include <string>
@@ -20,6 +21,7 @@ enum class LogLevel {
 
 struct RenderOptions {
     std::string scene;
+    SceneRequest scene_request;
     std::vector<std::string> outputs;
     RenderRequest request;
     std::string stats;      // file, or empty
@@ -35,6 +37,7 @@ struct RenderOptions {
 
 struct InfoOptions {
     std::string scene;
+    SceneRequest scene_request;
     bool lights = false;  // list the lights, too
     bool words = false;   // print the table of scene words; there is no scene then
 };
@@ -42,6 +45,13 @@ struct InfoOptions {
 struct SceneOptions {
     std::string name;  // empty: list them
     std::string folder = ".";
+    bool force = false;  // replaces files that differ
+};
+
+struct ConvertOptions {
+    std::string scene;
+    SceneRequest scene_request;
+    std::string output;  // the main file
     bool force = false;  // replaces files that differ
 };
 
@@ -54,7 +64,7 @@ struct MergeOptions {
     std::vector<std::string> inputs;
     std::vector<std::string> outputs;
     std::string stats;
-    double exposure = 0;
+    Exposure exposure;
     bool extrapolate = false;
 };
 
@@ -62,7 +72,7 @@ struct RelightOptions {
     std::string picture;
     std::vector<LightGroupFactor> factors;
     std::vector<std::string> outputs;
-    double exposure = 0;
+    Exposure exposure;
 };
 
 struct CompareOptions {
@@ -77,6 +87,7 @@ struct Options {
     std::optional<RenderOptions> render;
     std::optional<InfoOptions> info;
     std::optional<SceneOptions> scene;
+    std::optional<ConvertOptions> convert;
     std::optional<MergeOptions> merge;
     std::optional<RelightOptions> relight;
     std::optional<ExperimentOptions> experiment;

@@ -31,18 +31,22 @@ OutputClaims::OutputClaims(const std::vector<std::string>& files) {
         if (!file.empty()) claims_.emplace_back(file);
 }
 
-std::vector<std::string> write_outputs(const std::vector<std::string>& outputs, const Film& film,
-                                       const OutputOptions& options, DeferredError& faults) {
-    std::vector<std::string> written;
+WrittenOutputs write_outputs(const std::vector<std::string>& outputs, const Film& film,
+                             const OutputOptions& options, DeferredError& faults) {
+    WrittenOutputs written;
     const Picture picture = film_picture(film, {options.extrapolate});
+    const double stops = stops_of(options.exposure, picture);
     for (const std::string& path : outputs) {
         const bool is_written = faults.attempt([&] {
             if (is_film(path))
                 write_film(path, film);
             else
-                write_picture(path, picture, {static_cast<float>(options.exposure), false});
+                write_picture(path, picture, {static_cast<float>(stops), false});
         });
-        if (is_written) written.push_back(path);
+        if (!is_written) continue;
+        written.files.push_back(path);
+        if (options.exposure.is_automatic && !is_film(path) && loses_aovs(path))
+            written.found_exposure = stops;
     }
     return written;
 }

@@ -36,13 +36,18 @@ private:
 };
 
 struct OutputOptions {
-    double exposure = 0;       // stops, for formats of limited range alone
+    Exposure exposure;         // for formats of limited range alone
     bool extrapolate = false;  // pictures minus their bias
 };
 
+struct WrittenOutputs {
+    std::vector<std::string> files;
+    std::optional<double> found_exposure;  // stops, where a file has an automatic one
+};
+
 /// Writes the film to every output: as .film, or as a picture. If one fails, the others are still
-/// written. @param faults  receives the failures. @return the names of the files written.
-std::vector<std::string> write_outputs(const std::vector<std::string>& outputs, const Film& film,
+/// written. @param faults  receives the failures.
+WrittenOutputs write_outputs(const std::vector<std::string>& outputs, const Film& film,
                                        const OutputOptions& options, DeferredError& faults);
 
 }  // namespace sunfleck::engine

@@ -16,10 +16,9 @@ int run_relight(const RelightOptions& options) {
     const OutputClaims claims(options.outputs);
     const Relit relit_now = relit(read_exr(options.picture), options.factors, options.picture);
     DeferredError faults(LogLevel::quiet);  // thrown when all is tried
+    const auto stops = static_cast<float>(stops_of(options.exposure, relit_now.picture));
     for (const std::string& path : options.outputs)
-        faults.attempt([&] {
-            write_picture(path, relit_now.picture, {static_cast<float>(options.exposure), false});
-        });
+        faults.attempt([&] { write_picture(path, relit_now.picture, {stops, false}); });
     faults.finish();
     if (!relit_now.left_out.empty())
         say(fmt::format("{}: the AOVs {} were left out: they show the lights before relighting",

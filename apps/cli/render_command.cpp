@@ -13,6 +13,7 @@
 #include "core/stopwatch.h"
 #include "core/thread_trial.h"
 #include "image/atomic_file.h"
+#include "import/load.h"
 #include "ranks/shared_interval.h"
 #include "render/progressive.h"
 #include "stats/remarks.h"
@@ -80,6 +81,11 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, KeptFiles& ke
     return hooks;
 }
 
+Exposure exposure_of(const RenderOptions& options) {
+    const bool is_pbrt = format_of(options.scene) == SceneFormat::pbrt;
+    return options.request.exposure.value_or(Exposure{.is_automatic = !is_pbrt});
+}
+
 /// Pictures, remarks, statistics, and what each picture is.
 /// @param line  is ended when all pictures are written: a terminal may hold it up.
 void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& facts,
@@ -87,10 +93,10 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
     const RenderOptions& options = setup.options;
     DeferredError faults(LogLevel::quiet);  // thrown when all is tried
     InterruptGuard::set_answer(answer_while(RenderStep::writing, options));
-    std::vector<std::string> written;
+    WrittenOutputs written;
     InterruptGuard::finish_first([&] {
         written = write_outputs(setup.outputs, result.film,
-                                {options.request.exposure, facts.error_terms.extrapolated}, faults);
+                                {exposure_of(options), facts.error_terms.extrapolated}, faults);
     });
     line.reset();
     const std::vector<std::string> remarks = remarks_after(setup.job, result);
@@ -105,8 +111,12 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
     const std::string state =
         state_text(result.film.pass_count(), result.total_seconds,
                    target_error(result.film, options.request.stop.error_terms));
-    for (std::string& file : written) file += ": " + state;
-    if (options.log == LogLevel::info) print_lines(written, options.log);
+    for (std::string& file : written.files) file += ": " + state;
+    if (written.found_exposure)
+        written.files.push_back(
+            fmt::format("exposure of the .png: {0:+.1f} stops (--exposure {0:.1f})",
+                        *written.found_exposure));
+    if (options.log == LogLevel::info) print_lines(written.files, options.log);
     faults.finish();
 }
 

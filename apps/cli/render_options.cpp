@@ -18,7 +18,7 @@ LogLevel read_log_level(const std::string& text, const std::string& flag) {
 }
 
 void add_file_flags(CLI::App& app, RenderOptions& o) {
-    app.add_option("SCENE", o.scene, "Scene file (pbrt-v4)")->required()->type_name("FILE");
+    app.add_option("SCENE", o.scene, "Scene file: pbrt-v4, glTF, or a part alone: OBJ, STL, PLY")->required()->type_name("FILE");
     app.add_option("-o,--output,--outfile", o.outputs,
                    "Output file: .exr, .png, .film; may be repeated (default the scene's name for "
                    "it, .exr)")
@@ -90,6 +90,7 @@ void check_aovs_fit(const CLI::App& given, const RenderOptions& o) {
 
 void add_render_flags(CLI::App& app, RenderOptions& o, RenderFlags& flags) {
     add_file_flags(app, o);
+    add_request_flags(app, o.scene_request);
     for (const RenderFlag& row : render_flags()) add_flag(app, row, flags);
     add_run_flags(app, o);
 }

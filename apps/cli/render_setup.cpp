@@ -6,6 +6,7 @@
 #include "core/file_identity.h"
 #include "core/hash.h"
 #include "core/memory_room.h"
+#include "flags/scene_flags.h"
 #include "image/read_file.h"
 #include "import/load.h"
 #include "render/memory_estimate.h"
@@ -26,12 +27,14 @@ std::vector<std::string> outputs_of(const RenderOptions& options, const SceneDes
     return {std::filesystem::path(name).filename().replace_extension(".exr").string()};
 }
 
-std::vector<SceneFileHash> hashes_of(const SceneDescription& scene) {
+std::vector<SceneFileHash> hashes_of(const SceneDescription& scene, const SceneRequest& request) {
     std::vector<SceneFileHash> hashes;
     for (const std::string& name : scene.files) {
         const bool is_text = scene.text && name == scene.path;
         hashes.push_back({name, hash_text(is_text ? *scene.text : read_file(name))});
     }
+    if (!request.given.empty())
+        hashes.push_back({"the flags of the scene", hash_text(text_of(request))});
     return hashes;
 }
 
@@ -70,7 +73,7 @@ void check_memory(const RenderJob& job, const std::optional<std::uint64_t>& limi
 
 RenderSetup::RenderSetup(const RenderOptions& from, SceneDescription description)
     : options(from),
-      origin{SUNFLECK_VERSION, from.request.isa, hashes_of(description)},
+      origin{SUNFLECK_VERSION, from.request.isa, hashes_of(description, from.scene_request)},
       scene(std::move(description), from.request.isa),
       job{scene, settings_for(scene, from.request), from.request.stop, joined(origin.files)} {}
 
@@ -100,7 +103,7 @@ std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& 
     check_outputs(options.outputs, {options.stats, options.checkpoint});
     check_apart(files_of(options, {options.scene}, options.outputs));
     std::optional<Checkpoint> checkpoint = open_checkpoints(options);
-    SceneDescription description = load_scene(options.scene);
+    SceneDescription description = load_scene(options.scene, options.scene_request);
     adjust_scene(description, options.request);
     std::vector<std::string> outputs;
     if (ranks.is_first()) outputs = outputs_of(options, description);

@@ -24,6 +24,7 @@ public:
 
     float eta() const { return eta_; }
     const std::optional<Ggx>& facets() const { return facets_; }
+    float thickness() const { return thickness_; }
 
     /// Returns the fraction of light from a direction in the air that reaches the base. By
     /// reciprocity, a diffuse radiance L of the base is seen as L * entering(cosine) / eta^2.

@@ -19,6 +19,8 @@ public:
 
     bool at_end() const { return at_ == text_.size(); }
     std::size_t offset() const { return at_; }
+    /// @param offset  within the text, as offset() was.
+    void move_to(std::size_t offset) { at_ = offset; }
 
     /// Skips blanks of the line. @return whether the line has nothing more, or a comment.
     bool at_line_end() {

@@ -10,6 +10,11 @@ namespace {
 const char* const kIndependentPasses = "needs passes that do not build on one another";
 const char* const kOtherSampler = "leave it out, or use another sampler than paper";
 
+Exposure read_exposure(const std::string& text, const std::string& flag) {
+    if (text == "auto") return {.is_automatic = true};
+    return {.stops = read_number(text, flag, -kMostExposure, kMostExposure)};
+}
+
 FlagValue aov_list() {
     FlagValue value = one_of({}, [](RenderRequest& r, const std::string& text) {
         std::istringstream words(text);
@@ -42,10 +47,11 @@ std::vector<RenderFlag> frame_flags() {
          .help = "The same as fractions of the picture, from 0 to 1, as pbrt has them",
          .needs = {{.flag = "--crop"}}},
         {.name = "--exposure",
-         .value = number(-kMostExposure, kMostExposure,
-                         [](auto& r, const auto& stops) { r.exposure = stops; }),
-         .help = "Stops, for PNG alone",
-         .default_value = "0"},
+         .value = value_of("STOPS|auto", read_exposure,
+                           [](auto& r, const auto& exposure) { r.exposure = exposure; }),
+         .help = "Stops (-100 to 100), for PNG alone; auto: the middle of the picture becomes a "
+                 "middle grey",
+         .default_value = "0, but auto for scenes other than pbrt's"},
     };
 }
 

@@ -5,6 +5,7 @@
 
 #include "camera/camera.h"
 #include "flags/light_groups.h"
+#include "image/exposure.h"
 #include "stages/settings.h"
 
 #include <array>
@@ -27,7 +28,9 @@ struct RenderRequest {
     std::optional<std::array<double, 4>> crop_window;  // the same as fractions of the picture
     std::vector<AskedLightGroup> light_groups;
     std::string isa = "avx2";
-    double exposure = 0;  // stops, for formats of limited range alone
+    /// For formats of limited range alone. Absent: automatic for scenes in physical units, which
+    /// are all but pbrt's, and 0 for pbrt's.
+    std::optional<Exposure> exposure;
 };
 
 /// Changes the view of a scene as the request says: size and crop.

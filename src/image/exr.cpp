@@ -12,6 +12,7 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <OpenEXR/ImfStringAttribute.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <exception>
@@ -55,6 +56,27 @@ private:
 
     AtomicFile& file_;
     std::exception_ptr fault_;
+};
+
+/// Adapts bytes in memory to the library's stream.
+class MemoryStream : public Imf::OStream {
+public:
+    MemoryStream() : Imf::OStream("picture") {}
+
+    void write(const char* bytes, int count) override {
+        const auto size = static_cast<std::size_t>(count);
+        if (bytes_.size() < place_ + size) bytes_.resize(place_ + size);
+        std::copy(bytes, bytes + size, bytes_.begin() + static_cast<std::ptrdiff_t>(place_));
+        place_ += size;
+    }
+    std::uint64_t tellp() override { return place_; }
+    void seekp(std::uint64_t position) override { place_ = position; }
+
+    std::string take() { return std::move(bytes_); }
+
+private:
+    std::string bytes_;
+    std::uint64_t place_ = 0;
 };
 
 Imf::Header header_of(const Picture& picture, const ExrOptions& options) {
@@ -116,6 +138,12 @@ void write_exr(const std::string& path, const Picture& picture, const ExrOptions
     stream.finish();
     check_complete(path, file);
     file.commit();
+}
+
+std::string exr_bytes(const Picture& picture, const ExrOptions& options) {
+    MemoryStream stream;
+    write_channels(stream, picture, options);
+    return stream.take();
 }
 
 }  // namespace sunfleck::engine

@@ -18,6 +18,9 @@ struct ExrOptions {
 /// @throws Error  if the file cannot be written.
 void write_exr(const std::string& path, const Picture& picture, const ExrOptions& options = {});
 
+/// Returns the bytes of the file that write_exr() writes.
+std::string exr_bytes(const Picture& picture, const ExrOptions& options = {});
+
 /// Reads all channels of the first part as floats, in the data window, and the text metadata.
 /// @throws Error  for what is not EXR, is truncated or damaged, is deep or has subsampled channels,
 /// or claims more values than the file can hold.

@@ -39,9 +39,9 @@ constexpr int kMostPixelsAcross = 1 << 17;
 constexpr int kLibraryMost = 1 << 23;  // larger widths overflow the library's row tables
 
 /// Adapts bytes in memory to the library's stream.
-class MemoryStream : public Imf::IStream {
+class ByteStream : public Imf::IStream {
 public:
-    MemoryStream(std::string_view bytes, const std::string& name)
+    ByteStream(std::string_view bytes, const std::string& name)
         : Imf::IStream(name.c_str()), bytes_(bytes) {}
 
     bool read(char* to, int count) override {
@@ -76,7 +76,7 @@ void check_extent(const Imath::Box2i& window, const std::string& name) {
 /// @return the bytes.
 std::string_view checked(std::string_view bytes, const std::string& name) {
     constexpr std::uint64_t kFirstHead = 8;  // after magic number and version
-    MemoryStream stream(bytes, name);
+    ByteStream stream(bytes, name);
     stream.seekg(kFirstHead - sizeof(std::int32_t));
     int version = 0;
     std::array<char, sizeof version> little{};
@@ -152,7 +152,7 @@ public:
     }
 
 private:
-    MemoryStream stream_;
+    ByteStream stream_;
     Imf::InputFile input_;
     Imf::FrameBuffer buffer_;
     Vec2i resolution_;

@@ -12,6 +12,8 @@ namespace sunfleck::engine {
 Image parse_png_image(std::string_view bytes, const std::string& name, const Encoding& encoding);
 /// Decodes grey, RGB or CMYK of 8 bits.
 Image parse_jpeg(std::string_view bytes, const std::string& name);
+/// Decodes RGB or RGBA of 8 bits; of films nothing.
+Image parse_webp(std::string_view bytes, const std::string& name);
 /// Decodes 8-bit grey, 15 to 32-bit colours and palettes, plain or run-length; alpha is dropped.
 Image parse_tga(std::string_view bytes, const std::string& name);
 /// Decodes the channels that exr_colours() selects. The result has halves if all channels are

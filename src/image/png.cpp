@@ -37,7 +37,13 @@ struct PngJob {
     std::string fault;
     PngImage image;
     std::vector<png_byte> row;
+    bool is_srgb = false;  // what is written says so
 };
+
+int colour_type(int channels) {
+    if (channels == 1) return PNG_COLOR_TYPE_GRAY;
+    return channels == 4 ? PNG_COLOR_TYPE_RGB_ALPHA : PNG_COLOR_TYPE_RGB;
+}
 
 [[noreturn]] void on_fault(png_structp png, png_const_charp text) {
     static_cast<PngJob*>(png_get_error_ptr(png))->fault = text;
@@ -110,14 +116,16 @@ void encode(PngJob& job) {
     png_infop info = png_create_info_struct(png);
     const auto width = static_cast<png_uint_32>(job.image.width);
     const auto height = static_cast<png_uint_32>(job.image.height);
+    const auto channels = static_cast<std::size_t>(job.image.channels);
     // NOLINTNEXTLINE(cert-err52-cpp,modernize-avoid-*): the library's only way to report
     if (setjmp(png_jmpbuf(png)) == 0) {
         png_set_write_fn(png, &job, on_write, on_flush);
-        png_set_IHDR(png, info, width, height, 8, PNG_COLOR_TYPE_RGB, PNG_INTERLACE_NONE,
-                     PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-        png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
+        png_set_IHDR(png, info, width, height, 8, colour_type(job.image.channels),
+                     PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
+        if (job.is_srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
         png_write_info(png, info);
-        for (std::size_t y = 0; y < height; ++y) png_write_row(png, job.row.data() + y * width * 3);
+        for (std::size_t y = 0; y < height; ++y)
+            png_write_row(png, job.row.data() + y * width * channels);
         png_write_end(png, info);
     }
     png_destroy_write_struct(&png, &info);
@@ -145,11 +153,25 @@ void write_png(const std::string& path, const Picture& picture, float exposure) 
     PngJob job;
     job.image.width = picture.width;
     job.image.height = picture.height;
+    job.image.channels = 3;
+    job.is_srgb = true;
     job.row = encoded_rgb(path, picture, std::exp2(exposure));
     encode(job);
     if (!job.fault.empty())
         throw Error({path}, "cannot be written as PNG: " + job.fault, "write it as .exr");
     write_file(path, job.output);
+}
+
+std::string png_bytes(const Vec2i& size, int channels, std::span<const std::uint8_t> values) {
+    PngJob job;
+    job.image.width = size.x;
+    job.image.height = size.y;
+    job.image.channels = channels;
+    job.row.assign(values.begin(), values.end());
+    encode(job);
+    if (!job.fault.empty())
+        throw Error({"picture"}, "cannot be written as PNG: " + job.fault, "make it smaller");
+    return {reinterpret_cast<const char*>(job.output.data()), job.output.size()};  // NOLINT
 }
 
 PngImage read_png(const std::string& path) {

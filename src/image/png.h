@@ -2,8 +2,10 @@
 #pragma once
 
 #include "image/picture.h"
+#include "math/vector.h"
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -14,6 +16,11 @@ namespace sunfleck::engine {
 /// @param exposure  in stops: light is multiplied by 2^exposure before encoding.
 /// @throws Error  if the file cannot be written.
 void write_png(const std::string& path, const Picture& picture, float exposure = 0);
+
+/// Returns the bytes of a file of 8-bit values as they are.
+/// @param channels  1 grey, 3 RGB, 4 RGB and alpha.
+/// @param values  pixel by pixel, row by row from the top.
+std::string png_bytes(const Vec2i& size, int channels, std::span<const std::uint8_t> values);
 
 /// The encoded values of a file, not decoded to linear light.
 struct PngImage {

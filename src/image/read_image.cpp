@@ -29,13 +29,14 @@ Image parse_any(std::string_view bytes, const std::string& name, const Encoding&
     };
     if (begins("\x89PNG")) return parse_png_image(bytes, name, encoding);
     if (begins("\xFF\xD8\xFF")) return parse_jpeg(bytes, name);
+    if (begins("RIFF") && bytes.substr(4).find("WEBP") == 4) return parse_webp(bytes, name);
     if (begins("\x76\x2F\x31\x01")) return parse_exr_image(bytes, name);
     if (begins("#?")) return parse_hdr(bytes, name);
     if (begins("PF") || begins("Pf")) return parse_pfm(bytes, name);
-    refuse_other_content(bytes, name, "a picture in PNG, JPEG, TGA, EXR, HDR or PFM");
+    refuse_other_content(bytes, name, "a picture in PNG, JPEG, WebP, TGA, EXR, HDR or PFM");
     if (ends_in_tga(name)) return parse_tga(bytes, name);
     throw Error({name}, "unknown image format" + beginning_of(bytes),
-                "convert it to PNG, JPEG, TGA (with that ending), EXR, HDR or PFM");
+                "convert it to PNG, JPEG, WebP, TGA (with that ending), EXR, HDR or PFM");
 }
 
 }  // namespace

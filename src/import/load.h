@@ -1,17 +1,19 @@
 // Selects the importer for a scene file.
 #pragma once
 
+#include "import/scene_request.h"
 #include "scene/description.h"
-#include "scene/import_settings.h"
 
 #include <string>
 
 namespace sunfleck::engine {
 
-/// Reads a scene.
+/// Returns the format by the file's ending; pbrt's for all that are unknown.
+SceneFormat format_of(const std::string& path);
+
+/// Reads a scene, and adds what the user asks for besides.
 /// @param path  of the scene, or "-" for standard input.
-/// @param settings  what its format leaves open; pbrt-v4 leaves nothing open.
-/// @throws Error  for a scene that cannot be read.
-SceneDescription load_scene(const std::string& path, const ImportSettings& settings = {});
+/// @throws Error  for a scene that cannot be read, and for flags without a meaning for its format.
+SceneDescription load_scene(const std::string& path, const SceneRequest& request = {});
 
 }  // namespace sunfleck::engine

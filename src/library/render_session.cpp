@@ -140,8 +140,10 @@ Picture RenderSession::picture() const {
     const engine::FilmPictureOptions options{request_.stop.error_terms.extrapolated};
     return guarded([&] {
         const std::lock_guard lock(guard_);
-        return Picture(std::make_shared<const Picture::Data>(Picture::Data{
-            engine::film_picture(shown_->loop.result().film, options), request_.exposure}));
+        engine::Picture made = engine::film_picture(shown_->loop.result().film, options);
+        const double stops =
+            engine::stops_of(request_.exposure.value_or(engine::Exposure()), made);
+        return Picture(std::make_shared<const Picture::Data>(Picture::Data{std::move(made), stops}));
     });
 }
 

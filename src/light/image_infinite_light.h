@@ -1,13 +1,12 @@
 // ImageInfiniteLight: an environment map, radiance from all directions given by an image.
 //
-// Spectrum: radiance of a texel of value one, W/(sr m^2). The image is a square, an octahedral
-// equal-area map of directions (uniform_sphere() in math/warp.h), z up. Directions are sampled by
-// luminance, for photons (which start on the disc of the scene sphere perpendicular to the
-// direction) and for direct light.
-// Source: Clarberg, Fast Equal-Area Mapping of the (Hemi)Sphere (2008); pbrt-v4's lights.
+// Spectrum: radiance of a texel of value one, W/(sr m^2). Directions are sampled by luminance, for
+// photons (which start on the disc of the scene sphere perpendicular to the direction) and for
+// direct light.
 #pragma once
 
 #include "geometry/affine.h"
+#include "light/direction_map.h"
 #include "light/light_image.h"
 #include "light/model.h"
 
@@ -21,6 +20,7 @@ struct ImageInfiniteLight {
     Spectrum curve;
     std::shared_ptr<const LightImage> image;
     Affine to_world;  // a rotation, perhaps with a reflection
+    DirectionMap map{};
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
@@ -31,7 +31,10 @@ struct ImageInfiniteLight {
     EnvironmentRadiance environment_radiance(const Vec3& from, const Vec3& direction) const;
 };
 
+/// Returns an image as light of the directions that `map` gives its texels.
+std::shared_ptr<const LightImage> image_of_directions(Image image, const DirectionMap& map);
+
 /// Returns the illuminance on the plane z = 0 from above: in lumens per m^2 if texels are in nits.
-double illuminance_from_above(const LightImage& image);
+double illuminance_from_above(const LightImage& image, const DirectionMap& map);
 
 }  // namespace sunfleck::engine

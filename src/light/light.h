@@ -10,6 +10,7 @@
 #include "light/point_light.h"
 #include "light/portal_light.h"
 #include "light/spot_light.h"
+#include "light/sun_light.h"
 
 #include <variant>
 
@@ -19,7 +20,7 @@ template <LightModel... Models>
 using LightVariant = std::variant<Models...>;
 
 using Light = LightVariant<PointLight, SpotLight, GoniometricLight, ProjectionLight, DistantLight,
-                           InfiniteLight, ImageInfiniteLight, PortalLight, AreaLight>;
+                           SunLight, InfiniteLight, ImageInfiniteLight, PortalLight, AreaLight>;
 
 /// As `sunfleck info` says it.
 inline std::string_view name_of(const Light& light) {

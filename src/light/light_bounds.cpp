@@ -102,6 +102,9 @@ LightBounds bounds_of_light(const GoniometricLight& light, double weight) {
 std::optional<LightBounds> bounds_of_light(const DistantLight&, double) {
     return {};
 }
+std::optional<LightBounds> bounds_of_light(const SunLight&, double) {
+    return {};
+}
 std::optional<LightBounds> bounds_of_light(const InfiniteLight&, double) {
     return {};
 }

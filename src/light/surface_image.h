@@ -23,6 +23,7 @@ public:
     /// Returns the greatest luminance of a texel.
     double peak() const { return peak_; }
     const Vec2i& resolution() const { return image_.resolution(); }
+    const Image& image() const { return image_; }
 
 private:
     Image image_;

@@ -4,39 +4,19 @@
 // plastic:red:0.4. docs/reference/materials.md is the page for users.
 #pragma once
 
-#include "material/material.h"
+#include "material/substances.h"
 #include "sunfleck/error.h"
 
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace sunfleck::engine {
-
-enum class MaterialFamily { glass, metal, plastic, matt };
-
-/// As the user writes it.
-std::string_view name_of(MaterialFamily family);
-
-struct MaterialName {
-    std::string_view name;
-    MaterialFamily family;
-    std::string_view what;
-    std::string_view source;  // of its numbers
-};
 
 /// Returns all names, family by family. The name of a family alone means its first.
 std::span<const MaterialName> material_names();
 
 /// Returns the words for colours of plastics and matt materials; #rrggbb is the other form.
 std::span<const std::string_view> colour_names();
-
-struct NamedMaterial {
-    Material material;
-    bool is_clear = false;  // glass: light passes
-    /// Of the inside, per metre; absent where it is clear over metres, and for what is opaque.
-    std::optional<Spectrum> absorption{};
-};
 
 /// @param text  as above; letters of any case, "_" as "-".
 /// @param where  the flag or setting, for errors.

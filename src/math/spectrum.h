@@ -72,6 +72,8 @@ public:
     Spectrum scaled(float by) const { return Spectrum(kind_, factor_ * by); }
     bool is_constant() const { return std::holds_alternative<ConstantSpectrum>(kind_); }
     const Kind& kind() const { return kind_; }
+    /// Returns the number by which kind() is multiplied.
+    float factor() const { return factor_; }
 
     /// Returns the integral against CIE Y over 360..830 nm, divided by that of Y (106.857 nm): the
     /// luminance of a radiance. It is one for Spectrum::constant(1) and d65().

@@ -1,4 +1,4 @@
-// A camera of given direction is fitted to the corners of a box, axis by axis, in closed form.
+// A camera of given direction is fitted to points, axis by axis, in closed form.
 #include "scene/framing.h"
 
 #include "geometry/measure.h"
@@ -13,25 +13,6 @@ namespace {
 double tangent_of_half(double angle) {
     const SinCos half = sin_cos_2pi(angle / (4 * kPiDouble));
     return half.sin / half.cos;
-}
-
-/// The closest place from which all points lie between two lines of slope +-t: how far before the
-/// origin, and how far beside it.
-struct Fit {
-    double distance = 0;
-    double shift = 0;
-};
-
-/// @param beside, towards  coordinates of the points across the view and along it.
-template <std::size_t N>
-Fit fit(const std::array<double, N>& beside, const std::array<double, N>& towards, double t) {
-    double above = -1e300;
-    double below = -1e300;
-    for (std::size_t i = 0; i < N; ++i) {
-        above = std::max(above, towards.at(i) + beside.at(i) / t);
-        below = std::max(below, towards.at(i) - beside.at(i) / t);
-    }
-    return {(above + below) / 2, (above - below) * t / 2};
 }
 
 }  // namespace
@@ -70,31 +51,38 @@ Bounds bounds_of_scene(const SceneDescription& scene) {
     return all;
 }
 
-PerspectiveCamera camera_that_sees(const Bounds& box, const Framing& framing,
-                                   const Vec2i& resolution) {
-    constexpr double kLeastSize = 1e-6;  // of a box that is a point
-    const Vec3d z = framing.towards_camera.normalized();
-    const Vec3d x = framing.up.cross(z).normalized();
-    const Vec3d y = z.cross(x);
-    const Vec3d centre = box.center();
-    const double least = std::max(box.radius(), kLeastSize);
-    const Vec3d half = (box.max - box.min) * 0.5;
-    std::array<double, 8> across{};
-    std::array<double, 8> height{};
-    std::array<double, 8> towards{};
-    for (std::size_t i = 0; i < 8; ++i) {
-        const Vec3d corner(i % 2 == 0 ? half.x : -half.x, i / 2 % 2 == 0 ? half.y : -half.y,
-                           i < 4 ? half.z : -half.z);
-        across.at(i) = corner.dot(x);
-        height.at(i) = corner.dot(y);
-        towards.at(i) = corner.dot(z);
-    }
-    const double t = tangent_of_half(framing.yfov) * framing.fill;
-    const Fit wide = fit(across, towards, t * resolution.x / resolution.y);
-    const Fit high = fit(height, towards, t);
-    const double distance = std::max({wide.distance, high.distance, least});
-    const Vec3d place = centre + x * wide.shift + y * high.shift + z * distance;
-    return perspective_view(camera_frame(x, y, -z, place), framing.yfov, resolution);
+void FramedView::Edges::add(double beside, double towards) {
+    above = std::max(above, towards + beside / slope);
+    below = std::max(below, towards - beside / slope);
+}
+
+FramedView::FramedView(const Framing& framing, const Vec2i& resolution, const Vec3d& near)
+    : framing_(framing),
+      resolution_(resolution),
+      near_(near),
+      x_(framing.up.cross(framing.towards_camera).normalized()),
+      z_(framing.towards_camera.normalized()) {
+    y_ = z_.cross(x_);
+    high_.slope = tangent_of_half(framing.yfov) * framing.fill;
+    wide_.slope = high_.slope * resolution.x / resolution.y;
+}
+
+void FramedView::add(const Vec3d& point) {
+    const Vec3d local = point - near_;
+    wide_.add(local.dot(x_), local.dot(z_));
+    high_.add(local.dot(y_), local.dot(z_));
+}
+
+void FramedView::add(const Bounds& box) {
+    for (unsigned i = 0; i < 8; ++i)
+        add(Vec3d((i & 1U) != 0 ? box.max.x : box.min.x, (i & 2U) != 0 ? box.max.y : box.min.y,
+                  (i & 4U) != 0 ? box.max.z : box.min.z));
+}
+
+PerspectiveCamera FramedView::camera(double least) const {
+    const double distance = std::max({wide_.distance(), high_.distance(), least});
+    const Vec3d place = near_ + x_ * wide_.shift() + y_ * high_.shift() + z_ * distance;
+    return perspective_view(camera_frame(x_, y_, -z_, place), framing_.yfov, resolution_);
 }
 
 }  // namespace sunfleck::engine

@@ -24,13 +24,43 @@ struct Framing {
     Vec3d towards_camera{0, 0, 1};  // from what is seen; not along `up`
     Vec3d up{0, 1, 0};
     double yfov = kPiDouble / 6;  // radians
-    double fill = 0.8;            // part of width or height that the box takes at most
+    double fill = 0.8;            // part of width or height that things take at most
 };
 
-/// Returns the nearest camera of that direction that has all corners of a box in the picture, in
-/// the middle of its height and width.
-/// @param box  not empty.
-PerspectiveCamera camera_that_sees(const Bounds& box, const Framing& framing,
-                                   const Vec2i& resolution);
+/// Finds the nearest camera of a direction that has all points in the picture, in the middle of its
+/// height and width.
+class FramedView {
+public:
+    /// @param near  a point near those that come, for the precision of the result.
+    FramedView(const Framing& framing, const Vec2i& resolution, const Vec3d& near);
+
+    void add(const Vec3d& point);
+    /// Adds all corners of a box. @param box  not empty.
+    void add(const Bounds& box);
+    /// @param least  distance at least. At least one point must have been added.
+    PerspectiveCamera camera(double least = 1e-6) const;
+
+private:
+    /// How far before the origin a camera must be for all points to be between its edges, if it is
+    /// moved to neither side.
+    struct Edges {
+        double slope = 1;  // of the edges, times the part that is filled
+        double above = -1e300;
+        double below = -1e300;
+
+        void add(double beside, double towards);
+        double distance() const { return (above + below) / 2; }
+        double shift() const { return (above - below) * slope / 2; }
+    };
+
+    Framing framing_;
+    Vec2i resolution_;
+    Vec3d near_;
+    Vec3d x_;
+    Vec3d y_;
+    Vec3d z_;  // to the camera
+    Edges wide_;
+    Edges high_;
+};
 
 }  // namespace sunfleck::engine

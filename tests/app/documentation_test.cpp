@@ -24,7 +24,8 @@ TEST_F(Documentation, has_each_flag_of_each_command) {
           std::pair("compare", "docs/guide/compare.md"),
           std::pair("relight", "docs/guide/relighting.md"),
           std::pair("merge", "docs/reference/render.md"),
-          std::pair("info", "docs/reference/scenes.md"), std::pair("scene", "scenes/README.md")}) {
+          std::pair("convert", "docs/reference/convert.md"),
+          std::pair("info", "docs/reference/render.md"), std::pair("scene", "scenes/README.md")}) {
         const std::string text = page(name);
         const std::string help = run({command, "--help"}).out;
         int flags = 0;

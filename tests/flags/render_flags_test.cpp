@@ -40,6 +40,7 @@ std::string example_of(const RenderFlag& flag) {
                                                         {"TIME", "60s"},
                                                         {"A:B", "0:16"},
                                                         {"adaptive|THETA", "adaptive"},
+                                                        {"STOPS|auto", "auto"},
                                                         {"X", "0.3"},
                                                         {"N", "7"}};
     return by_form.at(flag.value.form);

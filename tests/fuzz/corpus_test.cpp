@@ -12,6 +12,7 @@ using FuzzTarget = int(const std::uint8_t* data, std::size_t size);
 extern "C" {
 FuzzTarget fuzz_bsdf;
 FuzzTarget fuzz_checkpoint;
+FuzzTarget fuzz_gltf;
 FuzzTarget fuzz_image;
 FuzzTarget fuzz_pbrt;
 FuzzTarget fuzz_ply;
@@ -56,8 +57,9 @@ TEST_P(Corpora, end_in_what_they_are_or_in_one_line) {
 INSTANTIATE_TEST_SUITE_P(Of, Corpora,
                          testing::Values(Corpus{"bsdf", fuzz_bsdf},
                                          Corpus{"checkpoint", fuzz_checkpoint},
-                                         Corpus{"image", fuzz_image}, Corpus{"pbrt", fuzz_pbrt},
-                                         Corpus{"ply", fuzz_ply}, Corpus{"spd", fuzz_spd}),
+                                         Corpus{"gltf", fuzz_gltf}, Corpus{"image", fuzz_image},
+                                         Corpus{"pbrt", fuzz_pbrt}, Corpus{"ply", fuzz_ply},
+                                         Corpus{"spd", fuzz_spd}),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace

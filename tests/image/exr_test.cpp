@@ -42,6 +42,14 @@ TEST_F(Exr, floats_come_back_bit_by_bit) {
     }
 }
 
+TEST_F(Exr, bytes_in_memory_are_those_of_the_file) {
+    for (const bool half : {false, true}) {
+        const Picture picture = sample(37, 23);
+        write_exr(path("a.exr"), picture, {half});
+        EXPECT_EQ(exr_bytes(picture, {half}), read_file(path("a.exr")));
+    }
+}
+
 TEST_F(Exr, values_at_the_edge_come_back) {
     Picture picture{4, 1, {}, {}};
     const float infinity = std::numeric_limits<float>::infinity();

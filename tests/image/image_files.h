@@ -10,6 +10,7 @@
 #include <OpenEXR/ImfOutputFile.h>
 #include <jpeglib.h>
 #include <png.h>
+#include <webp/encode.h>
 
 #include <bit>
 #include <csetjmp>
@@ -80,6 +81,16 @@ inline std::string jpeg_file(const Vec2i& size, int channels, Bytes texels, int 
     std::string file(bytes, bytes + count);
     jpeg_destroy_compress(&info);
     std::free(bytes);
+    return file;
+}
+
+/// @param channels  3 or 4.
+inline std::string webp_file(const Vec2i& size, int channels, const Bytes& texels) {
+    std::uint8_t* bytes = nullptr;
+    const auto encode = channels == 4 ? WebPEncodeLosslessRGBA : WebPEncodeLosslessRGB;
+    const std::size_t count = encode(texels.data(), size.x, size.y, size.x * channels, &bytes);
+    std::string file(bytes, bytes + count);
+    WebPFree(bytes);
     return file;
 }
 

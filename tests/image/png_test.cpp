@@ -120,5 +120,18 @@ TEST_F(Png, a_picture_without_rgb_is_refused) {
     EXPECT_EQ(files(), 0);
 }
 
+TEST(PngBytes, hold_values_of_all_channels_as_they_are) {
+    const std::vector<std::uint8_t> values = {0, 1, 2, 127, 128, 200, 254, 255, 9, 10, 11, 12};
+    for (const int channels : {1, 3, 4}) {
+        const int width = 12 / channels / (channels == 1 ? 2 : 1);
+        const std::string bytes = png_bytes({width, 12 / channels / width}, channels, values);
+        const PngImage image = parse_png(bytes, "a.png");
+        EXPECT_EQ(image.width, width);
+        EXPECT_EQ(image.channels, channels);
+        EXPECT_EQ(image.bits, 8);
+        EXPECT_TRUE(std::equal(values.begin(), values.end(), image.values.begin()));
+    }
+}
+
 }  // namespace
 }  // namespace sunfleck::engine

@@ -94,6 +94,19 @@ TEST(ReadImage, jpeg_comes_back_nearly) {
     expect_near(values_of(grey), Values(64, srgb_decode(200 / 255.0F)), 0.01F);
 }
 
+TEST(ReadImage, webp_with_and_without_alpha) {
+    const Bytes rgb{10, 20, 30, 255, 0, 128};
+    Values wanted;
+    for (const std::uint8_t level : rgb)
+        wanted.push_back(srgb_decode(static_cast<float>(level) / 255));
+    const Image image = parse_image(webp_file({2, 1}, 3, rgb), "a.webp");
+    EXPECT_EQ(image.channels(), 3);
+    expect_near(values_of(image), wanted, 1e-6F);
+    const Image holes = parse_image(webp_file({1, 2}, 4, {255, 0, 0, 255, 0, 255, 0, 51}), "");
+    EXPECT_EQ(holes.channels(), 4);
+    expect_near(values_of(holes), {1, 0, 0, 1, 0, 1, 0, srgb_decode(0.2F)}, 1e-6F);
+}
+
 TEST(ReadImage, tga_in_all_its_ways) {
     const auto decoded = [](const Bytes& levels) {
         Values values;
@@ -198,6 +211,7 @@ std::map<std::string, std::string> all_formats() {
             {"a.hdr",
              hdr_file({8, 1}, {2, 2, 0, 8, 136, 128, 132, 64, 4, 1, 2, 3, 4, 136, 32, 136, 129})},
             {"a.pfm", pfm_file("PF\n2 1\n-1\n", {1, 2, 3, 4, 5, 6}, true)},
+            {"a.webp", webp_file({24, 8}, 3, ramp)},
             {"a.exr", exr_file<half>({24, 8}, {"R", "G", "B"}, {flat, flat, flat})}};
 }
 

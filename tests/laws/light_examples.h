@@ -135,11 +135,12 @@ inline std::vector<LightExample> patch_examples() {
     return all;
 }
 
-/// A coloured sky with a sun, a black stripe and a black corner.
-inline Image example_image(int side) {
+/// A coloured sky with a sun, a black stripe and a black corner. @param side  its height.
+/// @param wide  width over height.
+inline Image example_image(int side, int wide = 1) {
     std::vector<float> texels;
     for (int y = 0; y < side; ++y)
-        for (int x = 0; x < side; ++x) {
+        for (int x = 0; x < side * wide; ++x) {
             const bool black = y == side / 3 || (x == 0 && y == 0);
             const float sun = x == side / 2 && y == side / 2 + 1 ? 20.0F : 0.0F;
             const auto part = [&](int a) {
@@ -148,7 +149,7 @@ inline Image example_image(int side) {
             for (const float c : {0.2F + part(x), 0.5F, 1.5F - part(y)})
                 texels.push_back(black ? 0 : c + sun);
         }
-    return {{side, side}, 3, texels};
+    return {{side * wide, side}, 3, texels};
 }
 
 inline std::shared_ptr<const LightImage> example_sky(int side) {
@@ -186,6 +187,19 @@ inline std::vector<LightExample> infinite_examples() {
             {"mirrored_sky",
              [=] {
                  return ImageInfiniteLight{{}, example_sky(4), mirrored};
+             }},
+            {"latitudes",
+             [=] {
+                 const DirectionMap map = DirectionMap::latitude_longitude(6);
+                 return ImageInfiniteLight{
+                     {}, image_of_directions(example_image(6, 2), map), mirrored, map};
+             }},
+            {"wide_sun",
+             [] {
+                 return SunLight{{},
+                                 Vec3d(0.4, 0.5, -1).normalized(),
+                                 0.9,
+                                 normalised_darkening({0.3, 0.9, -0.2, 0, 0, 0})};
              }},
             {"portal", example_portal},
             {"portal_aside", example_portal_aside}};

@@ -1,4 +1,4 @@
-// Cameras fitted to boxes, by where the corners land in the picture.
+// Cameras fitted to points, by where these land in the picture.
 #include "scene/framing.h"
 
 #include <gtest/gtest.h>
@@ -46,9 +46,10 @@ TEST(Framing, fills_the_picture_with_a_box_and_no_more) {
     framing.towards_camera = {0.5, 0.4, 1};
     for (const Vec3d& size : {Vec3d(1, 1, 1), Vec3d(20, 1, 1), Vec3d(1, 30, 1), Vec3d(2, 0, 9)}) {
         const Vec3d corner(100, -3, 7);
-        const Extent e =
-            extent_of(box(corner, corner + size),
-                      camera_that_sees(box(corner, corner + size), framing, {1280, 720}));
+        const Bounds bounds = box(corner, corner + size);
+        FramedView view(framing, {1280, 720}, {99, 0, 0});
+        view.add(bounds);
+        const Extent e = extent_of(bounds, view.camera());
         EXPECT_NEAR(std::max(e.most.x, e.most.y), framing.fill, 1e-9) << size.x;
         EXPECT_NEAR(std::min(e.least.x, e.least.y), -framing.fill, 1e-9) << size.x;
         EXPECT_LE(std::max({-e.least.x, -e.least.y, e.most.x, e.most.y}), framing.fill + 1e-9);
@@ -56,9 +57,11 @@ TEST(Framing, fills_the_picture_with_a_box_and_no_more) {
 }
 
 TEST(Framing, sees_a_point_from_some_way_off) {
-    const PerspectiveCamera camera = camera_that_sees(box(Vec3d(1), Vec3d(1)), {}, {100, 100});
+    FramedView view({}, {100, 100}, Vec3d(0));
+    view.add(Vec3d(1));
+    const PerspectiveCamera camera = view.camera(0.5);
     EXPECT_NEAR(place_in(camera, Vec3d(1)).length(), 0, 1e-9);
-    EXPECT_GT(camera.camera_to_world[3][2], 1);
+    EXPECT_EQ(camera.camera_to_world[3][2], 1.5);
 }
 
 TEST(Framing, counts_shapes_and_instances) {

@@ -13,6 +13,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "glTF stores little-endian numbers");
 
+using Replaced = std::map<const void*, std::string>;
+
 /// The type of a stored number.
 enum class Stored { int8 = 5120, uint8, int16, uint16, uint32 = 5125, float32 };
 
@@ -127,9 +129,10 @@ void replace_sparse(const GltfDocument& document, const JsonPlace& sparse, Eleme
 
 /// Returns all elements. @param size  numbers of an element.
 /// @param convert  of an Elements and an index.
+/// @param replaced  bytes in place of those of the buffer views, by accessors.
 template <class Element, class Convert>
-std::vector<Element> all_of(const GltfDocument& document, const JsonPlace& accessor,
-                            std::size_t size, const Convert& convert) {
+std::vector<Element> all_of(const GltfDocument& document, const Replaced& replaced,
+                            const JsonPlace& accessor, std::size_t size, const Convert& convert) {
     const JsonPlace type = accessor.at("type");
     if (numbers_of_type(type.text()) != size)
         type.refuse("is \"" + type.text() + "\", of another size than its use here",
@@ -139,7 +142,13 @@ std::vector<Element> all_of(const GltfDocument& document, const JsonPlace& acces
         {}, 0, size, stored_type(accessor.at("componentType")), accessor.flag("normalized", false)};
     const auto sparse = accessor.find("sparse");
     std::vector<Element> values;
-    if (accessor.find("bufferView")) {
+    const auto other = replaced.find(accessor.identity());
+    if (other != replaced.end()) {
+        Elements elements = form;
+        elements.bytes = other->second;
+        elements.stride = size * size_of(form.type);
+        for (std::size_t i = 0; i < count; ++i) values.push_back(convert(elements, i));
+    } else if (accessor.find("bufferView")) {
         const Elements elements = elements_of(document, accessor, count, form);
         values.reserve(count);
         for (std::size_t i = 0; i < count; ++i) values.push_back(convert(elements, i));
@@ -185,15 +194,24 @@ auto to_integers(const JsonPlace& accessor) {
 
 }  // namespace
 
+void Accessors::replace(const JsonPlace& index, std::string bytes, std::size_t size) {
+    const JsonPlace accessor = at(index);
+    const bool fits = numbers_of_type(accessor.at("type").text()) == size &&
+                      bytes.size() == count_of(accessor) * size *
+                                          size_of(stored_type(accessor.at("componentType")));
+    if (!fits) accessor.refuse("does not fit what is unpacked for it", "export the file again");
+    replaced_[accessor.identity()] = std::move(bytes);
+}
+
 std::vector<float> Accessors::scalars(const JsonPlace& index) const {
     const auto one = to_floats<1>(at(index));
-    return all_of<float>(document_, at(index), 1,
+    return all_of<float>(document_, replaced_, at(index), 1,
                          [&](const Elements& e, std::size_t i) { return one(e, i)[0]; });
 }
 
 std::vector<Vec2> Accessors::pairs(const JsonPlace& index) const {
     const auto two = to_floats<2>(at(index));
-    return all_of<Vec2>(document_, at(index), 2, [&](const Elements& e, std::size_t i) {
+    return all_of<Vec2>(document_, replaced_, at(index), 2, [&](const Elements& e, std::size_t i) {
         const auto v = two(e, i);
         return Vec2(v[0], v[1]);
     });
@@ -201,29 +219,32 @@ std::vector<Vec2> Accessors::pairs(const JsonPlace& index) const {
 
 std::vector<Vec3> Accessors::triples(const JsonPlace& index) const {
     const auto three = to_floats<3>(at(index));
-    return all_of<Vec3>(document_, at(index), 3, [&](const Elements& e, std::size_t i) {
+    return all_of<Vec3>(document_, replaced_, at(index), 3, [&](const Elements& e, std::size_t i) {
         const auto v = three(e, i);
         return Vec3(v[0], v[1], v[2]);
     });
 }
 
 std::vector<std::array<float, 4>> Accessors::quadruples(const JsonPlace& index) const {
-    return all_of<std::array<float, 4>>(document_, at(index), 4, to_floats<4>(at(index)));
+    return all_of<std::array<float, 4>>(document_, replaced_, at(index), 4,
+                                        to_floats<4>(at(index)));
 }
 
 std::vector<std::array<float, 16>> Accessors::matrices(const JsonPlace& index) const {
-    return all_of<std::array<float, 16>>(document_, at(index), 16, to_floats<16>(at(index)));
+    return all_of<std::array<float, 16>>(document_, replaced_, at(index), 16,
+                                         to_floats<16>(at(index)));
 }
 
 std::vector<std::uint32_t> Accessors::indices(const JsonPlace& index) const {
     const auto one = to_integers<1>(at(index));
-    return all_of<std::uint32_t>(document_, at(index), 1,
+    return all_of<std::uint32_t>(document_, replaced_, at(index), 1,
                                  [&](const Elements& e, std::size_t i) { return one(e, i)[0]; });
 }
 
 std::vector<std::array<std::uint32_t, 4>> Accessors::index_quadruples(
     const JsonPlace& index) const {
-    return all_of<std::array<std::uint32_t, 4>>(document_, at(index), 4, to_integers<4>(at(index)));
+    return all_of<std::array<std::uint32_t, 4>>(document_, replaced_, at(index), 4,
+                                                to_integers<4>(at(index)));
 }
 
 }  // namespace sunfleck::engine

@@ -8,6 +8,8 @@
 
 #include <array>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -16,6 +18,11 @@ class Accessors {
 public:
     /// @param document  must outlive this.
     explicit Accessors(const GltfDocument& document) : document_(document) {}
+
+    /// Gives an accessor other bytes than those of its buffer view: elements without gaps.
+    /// @param index  of the accessor. @param size  numbers of an element.
+    /// @throws Error  if the accessor has other elements, or more.
+    void replace(const JsonPlace& index, std::string bytes, std::size_t size);
 
     // Each takes the index of an accessor, as it stands in the file.
     // @throws Error  for one of another type, beyond its buffer view, and for numbers that are not
@@ -35,6 +42,7 @@ private:
     JsonPlace at(const JsonPlace& index) const { return document_.element("accessors", index); }
 
     const GltfDocument& document_;
+    std::map<const void*, std::string> replaced_;  // bytes by the identity of the accessor
 };
 
 }  // namespace sunfleck::engine

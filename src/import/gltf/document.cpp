@@ -2,6 +2,7 @@
 #include "import/gltf/document.h"
 
 #include "core/file_content.h"
+#include "import/gltf/meshopt.h"
 #include "import/gltf/uri.h"
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 namespace sunfleck::engine {
 namespace {
 
+constexpr std::string_view kMeshopt = "EXT_meshopt_compression";
 constexpr std::string_view kMagic = "glTF";
 constexpr std::size_t kHead = 12;  // magic, version, length
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
@@ -33,15 +35,20 @@ SourceLocation location_of(const std::string& file, std::string_view text, std::
 
 }  // namespace
 
-GltfDocument::GltfDocument(const std::string& path) : path_(path) {
-    std::string bytes = read_input_file(path, {path});
+GltfDocument::GltfDocument(const std::string& path)
+    : GltfDocument(path, read_input_file(path, {path}), read_input_file) {}
+
+GltfDocument::GltfDocument(const std::string& path, std::string bytes, GltfFileAccess files)
+    : path_(path), access_(std::move(files)) {
     files_.push_back(path);
     parse(std::move(bytes));
     const JsonPlace asset = root().at("asset");
     const std::string version = asset.text("version", "");
     if (!version.starts_with("2."))
         asset.refuse("is of glTF version \"" + version + "\"", "export it as glTF 2.0");
+    generator_ = asset.text("generator", "");
     load_buffers();
+    if (has_meshopt()) unpack_views();
 }
 
 void GltfDocument::parse(std::string bytes) {
@@ -118,7 +125,7 @@ std::string GltfDocument::read(const JsonPlace& uri) {
     const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
     const std::string path = (folder / name).lexically_normal().string();
     try {
-        std::string bytes = read_input_file(path, uri.where());
+        std::string bytes = access_(path, uri.where());
         if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
         return bytes;
     } catch (const MissingFile& missing) {
@@ -141,8 +148,10 @@ void GltfDocument::load_buffers() {
     for (const JsonPlace& buffer : root().elements("buffers")) {
         const std::uint64_t size = buffer.at("byteLength").whole();
         const auto uri = buffer.find("uri");
-        buffers_.push_back(uri ? read(*uri) : std::move(chunk_));
-        const bool is_missing = !missing_.empty() && buffers_.back().empty();
+        const auto packed = buffer.extension(kMeshopt);
+        const bool is_void = !uri && packed && packed->flag("fallback", false);
+        buffers_.push_back(uri ? read(*uri) : is_void ? std::string() : std::move(chunk_));
+        const bool is_missing = (!missing_.empty() && buffers_.back().empty()) || is_void;
         if (buffers_.back().size() < size && !is_missing)
             buffer.refuse("has " + std::to_string(buffers_.back().size()) + " bytes of " +
                               std::to_string(size),
@@ -151,7 +160,15 @@ void GltfDocument::load_buffers() {
     check_missing();
 }
 
+void GltfDocument::unpack_views() {
+    for (const JsonPlace& view : root().elements("bufferViews"))
+        if (const auto packed = view.extension(kMeshopt))
+            unpacked_views_[view.identity()] = unpack_meshopt(*packed, bytes_of(*packed));
+}
+
 std::string_view GltfDocument::bytes_of(const JsonPlace& view) const {
+    const auto unpacked = unpacked_views_.find(view.identity());
+    if (unpacked != unpacked_views_.end()) return unpacked->second;
     const std::size_t number = view.at("buffer").index(buffers_.size(), "buffer");
     const std::string_view buffer = buffers_[number];
     const std::uint64_t begin = view.whole("byteOffset", 0);

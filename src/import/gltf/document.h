@@ -10,18 +10,25 @@
 
 #include <nlohmann/json.hpp>
 
-#include <span>
+#include <functional>
+#include <map>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace sunfleck::engine {
 
+/// Returns the bytes of a file that a scene names. @throws Error, or MissingFile.
+using GltfFileAccess =
+    std::function<std::string(const std::string& path, const SourceLocation& from)>;
+
 class GltfDocument {
 public:
     /// Reads a file and its buffers.
     /// @throws Error  for what is not glTF 2.0, is damaged or misses a part: for all parts at once.
     explicit GltfDocument(const std::string& path);
+    /// Takes the bytes of the main file. @param files  reads the others.
+    GltfDocument(const std::string& path, std::string bytes, GltfFileAccess files);
 
     JsonPlace root() const { return {json_, path_, ""}; }
     /// Returns the number of elements of a list of the root; 0 if there is no such list.
@@ -39,6 +46,8 @@ public:
     /// @throws Error  that names all files that are missing, if any are.
     void check_missing() const;
 
+    /// Returns the program that wrote the file; empty if the file does not say.
+    const std::string& generator() const { return generator_; }
     const std::string& path() const { return path_; }
     /// Returns the paths of all files that were read, the main one among them.
     const std::vector<std::string>& files() const { return files_; }
@@ -48,11 +57,15 @@ private:
     void parse_binary(std::string_view bytes);
     void parse_json(std::string_view text);
     void load_buffers();
+    void unpack_views();
 
     std::string path_;
+    GltfFileAccess access_;
+    std::string generator_;
     nlohmann::json json_;
-    std::string chunk_;                 // binary chunk of a .glb
-    std::vector<std::string> buffers_;  // as many as "buffers" has
+    std::string chunk_;                                  // binary chunk of a .glb
+    std::vector<std::string> buffers_;                   // as many as "buffers" has
+    std::map<const void*, std::string> unpacked_views_;  // by their identity
     std::vector<std::string> files_;
     std::vector<MissingFile> missing_;
 };

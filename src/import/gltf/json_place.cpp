@@ -54,6 +54,13 @@ std::vector<JsonPlace> JsonPlace::elements(std::string_view key) const {
     return found ? found->elements() : std::vector<JsonPlace>();
 }
 
+std::vector<std::pair<std::string, JsonPlace>> JsonPlace::members() const {
+    std::vector<std::pair<std::string, JsonPlace>> all;
+    if (value_->is_object())
+        for (const auto& [key, value] : value_->items()) all.emplace_back(key, member(key, value));
+    return all;
+}
+
 double JsonPlace::number() const {
     if (value_->is_number())
         if (const double x = value_->get<double>(); std::isfinite(x)) return x;

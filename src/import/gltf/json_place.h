@@ -12,6 +12,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -35,6 +36,9 @@ public:
     /// Returns the elements of a member that is an array; none if there is no such member.
     std::vector<JsonPlace> elements(std::string_view key) const;
 
+    /// Returns the members of an object with their names; none of anything else.
+    std::vector<std::pair<std::string, JsonPlace>> members() const;
+
     /// Returns a finite number. @throws Error  for anything else.
     double number() const;
     double number(std::string_view key, double fallback) const;
@@ -55,6 +59,9 @@ public:
 
     /// Returns the extension of that name, or nothing.
     std::optional<JsonPlace> extension(std::string_view name) const;
+
+    /// Returns a name of the value, the same for each place of it.
+    const void* identity() const { return value_; }
 
     SourceLocation where() const { return {path_.empty() ? file_ : file_ + ": " + path_}; }
     [[noreturn]] void refuse(const std::string& what, const std::string& mend) const;

@@ -16,86 +16,8 @@ namespace {
 
 constexpr double kMost = std::numeric_limits<double>::infinity();
 
-GltfPbr pbr_of(const std::optional<JsonPlace>& material, GltfTextures& textures) {
-    GltfPbr pbr;
-    const auto place = material ? material->find("pbrMetallicRoughness") : std::nullopt;
-    if (!place) return pbr;
-    if (const auto factor = place->find("baseColorFactor")) {
-        const std::vector<double> v = factor->numbers(4);
-        pbr.base = {v[0], v[1], v[2]};
-        pbr.alpha = v[3];
-    }
-    pbr.metallic = place->number("metallicFactor", 1, 0, 1);
-    pbr.roughness = place->number("roughnessFactor", 1, 0, 1);
-    pbr.colour = textures.find(*place, "baseColorTexture", TexelUse::colour, pbr.uv_set);
-    if (pbr.roughness > 0)
-        pbr.green = textures.find(*place, "metallicRoughnessTexture", TexelUse::green, pbr.uv_set);
-    if (pbr.metallic > 0)
-        pbr.blue = textures.find(*place, "metallicRoughnessTexture", TexelUse::blue, pbr.uv_set);
-    return pbr;
-}
-
-/// Returns an image of one channel, each texel changed.
-template <class Change>
-FloatTexture changed(const GltfTextures::Slot& slot, const Change& change) {
-    const Image& from = *slot.image.image;
-    const Vec2i size = from.resolution();
-    std::vector<half> texels;
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) texels.emplace_back(change(from.at(x, y)[0]));
-    FloatImageKind kind{slot.image};
-    kind.image = std::make_shared<const Image>(size, 1, std::move(texels));
-    return FloatTexture(FloatKind{std::move(kind)});
-}
-
-double mean_of(const Image& image) {
-    const Vec2i size = image.resolution();
-    double sum = 0;
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) sum += static_cast<double>(image.at(x, y)[0]);
-    return sum / (static_cast<double>(size.x) * size.y);
-}
-
-SpectrumTexture colour_of(const std::optional<GltfTextures::Slot>& slot, const Vec3d& factor) {
-    if (!slot) return Spectrum::rgb_albedo(Vec3(factor));
-    SpectrumImageKind kind{slot->image, ColourUse::albedo};
-    kind.image = coloured(kind.image, factor);
-    return SpectrumTexture(SpectrumKind{std::move(kind)});
-}
-
-/// Returns the GGX alphas, the square of the roughness.
-Roughness roughness_of(const GltfPbr& pbr) {
-    const auto scale = static_cast<float>(pbr.roughness);
-    FloatTexture alpha = scale * scale;
-    if (pbr.green) alpha = changed(*pbr.green, [&](float r) { return scale * r * (scale * r); });
-    return {alpha, alpha, false, true};
-}
-
-FloatTexture metallic_of(const GltfPbr& pbr) {
-    const auto scale = static_cast<float>(pbr.metallic);
-    if (!pbr.blue) return scale;
-    return changed(*pbr.blue, [&](float m) { return scale * m; });
-}
-
-/// Returns a diffuse base under a clear coat. A coat has one roughness: of a texture the mean.
-CoatedDiffuseMaterial plastic_of(const GltfPbr& pbr, double eta) {
-    double roughness = pbr.roughness;
-    if (pbr.green) roughness *= mean_of(*pbr.green->image.image);
-    const auto alpha = static_cast<float>(roughness * roughness);
-    std::optional<Ggx> facets;
-    if (alpha >= kSmoothAlpha) facets = Ggx{alpha, alpha};
-    CoatedDiffuseMaterial plastic;
-    plastic.reflectance = colour_of(pbr.colour, pbr.base);
-    plastic.coat = std::make_shared<const Coat>(static_cast<float>(eta), facets, 0.0F);
-    plastic.whole = true;
-    return plastic;
-}
-
-ConductorMaterial metal_of(const GltfPbr& pbr) {
-    ConductorMaterial metal;
-    metal.reflectance = colour_of(pbr.colour, pbr.base);
-    metal.roughness = roughness_of(pbr);
-    return metal;
+bool is_positive(const Vec3d& colour) {
+    return std::max({colour.x, colour.y, colour.z}) > 0;
 }
 
 /// Returns the refractive index by Cauchy's law through `ior` at the d line.
@@ -114,53 +36,102 @@ Spectrum index_of(double ior, double dispersion) {
     return Spectrum::table(std::move(points));
 }
 
-BumpMap normal_map_of(const JsonPlace& material, GltfTextures& textures,
-                      std::optional<std::uint64_t>& uv_set) {
-    const auto slot = textures.find(material, "normalTexture", TexelUse::linear, uv_set);
-    if (!slot) return {};
-    const auto strength = static_cast<float>(slot->place.number("scale", 1));
-    return NormalMap{slot->image.image, slot->image.mapping, slot->image.wraps, strength, true};
+/// Returns the number of a variant of the file, by its name.
+std::optional<std::size_t> variant_named(const std::string& name, const GltfDocument& document) {
+    if (name.empty()) return {};
+    std::string names;
+    if (const auto extension = document.root().extension("KHR_materials_variants")) {
+        const std::vector<JsonPlace> variants = extension->elements("variants");
+        for (std::size_t i = 0; i < variants.size(); ++i) {
+            const std::string known = variants[i].text("name", "");
+            if (known == name) return i;
+            names += (names.empty() ? "\"" : ", \"") + known + '"';
+        }
+    }
+    throw Error(
+        {document.path()}, "has no variant \"" + name + "\" (--variant)",
+        names.empty() ? "leave --variant out: it has none at all" : "write one of " + names);
 }
 
-std::optional<AreaEmission> emission_of(const JsonPlace& material, GltfTextures& textures,
-                                        std::optional<std::uint64_t>& uv_set) {
-    Vec3d colour = material.triple("emissiveFactor", Vec3d(0));
-    double strength = 1;
-    if (const auto extension = material.extension("KHR_materials_emissive_strength"))
-        strength = extension->number("emissiveStrength", 1, 0, kMostLight);
-    if (!(std::max({colour.x, colour.y, colour.z}) * strength > 0)) return {};
-    AreaEmission emission;
-    emission.two_sided = material.flag("doubleSided", false);
-    const auto scale = static_cast<float>(strength / kLumensPerWatt);
-    emission.radiance = Spectrum::rgb_illuminant(Vec3(colour)).scaled(scale);
-    if (const auto slot = textures.find(material, "emissiveTexture", TexelUse::colour, uv_set)) {
-        emission.image = std::make_shared<const SurfaceImage>(
-            coloured(slot->image.image, colour)->with_channels(3));
-        emission.radiance = Spectrum::d65().scaled(scale);
+/// Adds the numbers of the texture coordinates that are asked for within a value.
+/// @param depth  to which values are looked through; those of extensions lie 3 deep.
+void add_uv_sets(const JsonPlace& place, int depth, std::vector<std::uint64_t>& sets) {
+    for (const auto& [name, member] : place.members()) {
+        const bool is_texture = name.ends_with("Texture") && !member.members().empty();
+        if (is_texture) {
+            const std::uint64_t set = uv_set_of(member);
+            if (std::find(sets.begin(), sets.end(), set) == sets.end()) sets.push_back(set);
+        } else if (depth > 0) {
+            add_uv_sets(member, depth - 1, sets);
+        }
     }
-    return emission;
+}
+
+/// Returns amount * (1 - by).
+FloatTexture less(const FloatTexture& amount, const FloatTexture& by) {
+    if (by.is_constant() && by.constant() == 0) return amount;
+    return FloatTexture(FloatKind{MixKind<FloatTexture>{amount, 0.0F, by}});
+}
+
+std::string emission_in_watts(const std::string& generator) {
+    return "emission is taken in W/(sr m2), because \"" + generator +
+           "\" wrote the file (--emission-unit nit for what glTF says)";
 }
 
 }  // namespace
 
-GltfMaterials::GltfMaterials(GltfDocument& document, SceneDescription& scene)
-    : document_(document), scene_(scene), textures_(document, scene.warnings) {}
-
-std::uint32_t GltfMaterials::add(Material material, const BumpMap& bump_map) {
-    scene_.materials.push_back(std::move(material));
-    scene_.bump_maps.push_back(bump_map);
-    return static_cast<std::uint32_t>(scene_.materials.size() - 1);
+GltfMaterials::GltfMaterials(GltfDocument& document, SceneDescription& scene,
+                             const ImportSettings& settings)
+    : document_(document),
+      scene_(scene),
+      textures_(document, scene.warnings),
+      variant_(variant_named(settings.variant, document)) {
+    const bool is_of_blender = document.generator().starts_with("Khronos glTF Blender I/O");
+    const EmissionUnit usual = is_of_blender ? EmissionUnit::watt : EmissionUnit::nit;
+    is_in_watts_ = settings.emission_unit.value_or(usual) == EmissionUnit::watt;
+    told_watts_ = settings.emission_unit.has_value();
 }
 
-const GltfLook& GltfMaterials::look_of(const JsonPlace& primitive) {
-    const auto number = primitive.find("material");
-    std::optional<std::size_t> key;
-    if (number) key = number->index(document_.count("materials"), "material");
+std::optional<JsonPlace> GltfMaterials::material_of(const JsonPlace& primitive) const {
+    auto number = primitive.find("material");
+    const auto variants = primitive.extension("KHR_materials_variants");
+    if (variant_ && variants)
+        for (const JsonPlace& mapping : variants->elements("mappings"))
+            for (const JsonPlace& of : mapping.elements("variants"))
+                if (of.whole() == *variant_) number = mapping.at("material");
+    return number;
+}
+
+std::vector<std::uint64_t> GltfMaterials::uv_sets_of(const JsonPlace& primitive) const {
+    std::vector<std::uint64_t> sets;
+    if (const auto number = material_of(primitive)) {
+        const JsonPlace material = document_.element("materials", *number);
+        // Emission and normal maps need coordinates of the mesh itself.
+        if (is_positive(material.triple("emissiveFactor", Vec3d(0))))
+            if (const auto info = material.find("emissiveTexture"))
+                sets.push_back(uv_set_of(*info));
+        if (const auto info = material.find("normalTexture"); info && sets.empty())
+            sets.push_back(uv_set_of(*info));
+        if (const auto pbr = material.find("pbrMetallicRoughness"); pbr && sets.empty())
+            if (const auto info = pbr->find("baseColorTexture")) sets.push_back(uv_set_of(*info));
+        add_uv_sets(material, 3, sets);
+    }
+    if (sets.empty()) sets.push_back(0);
+    return sets;
+}
+
+const GltfLook& GltfMaterials::look_of(const JsonPlace& primitive, const GltfVertices& vertices) {
+    const auto number = material_of(primitive);
+    Key key;
+    if (number) key.first = number->index(document_.count("materials"), "material");
+    if (!vertices.are_plain()) key.second = primitive.where().file;
     const auto known = looks_.find(key);
     if (known != looks_.end()) return known->second;
     std::optional<JsonPlace> place;
     if (number) place = document_.element("materials", *number);
-    return looks_.emplace(key, made(place)).first->second;
+    GltfLook look = made(place, vertices);
+    look.is_of_vertices = !vertices.are_plain();
+    return looks_.emplace(key, std::move(look)).first->second;
 }
 
 MediumNumber GltfMaterials::medium_of(const Vec3d& absorption) {
@@ -168,45 +139,68 @@ MediumNumber GltfMaterials::medium_of(const Vec3d& absorption) {
     return static_cast<MediumNumber>(scene_.media.absorption.size() - 1);
 }
 
-/// Returns the material of all that does not pass light on: plastic, metal, or both.
-std::uint32_t GltfMaterials::add_opaque(const GltfPbr& pbr, double ior, const BumpMap& bump_map) {
-    const FloatTexture metallic = metallic_of(pbr);
-    const auto is_always = [&](float value) {
-        return metallic.is_constant() && metallic.constant() == value;
-    };
-    if (is_always(1)) return add(metal_of(pbr), bump_map);
-    if (pbr.green)
-        scene_.warnings.add(pbr.green->place.where(),
-                            "what is not metal takes the mean of this texture's roughness");
-    if (is_always(0)) return add(plastic_of(pbr, ior), bump_map);
-    const std::uint32_t plastic = add(plastic_of(pbr, ior), bump_map);
-    const std::uint32_t metal = add(metal_of(pbr), bump_map);
-    return add(MixMaterial{{plastic, metal}, metallic}, bump_map);
+BumpMap GltfMaterials::normal_map_of(const JsonPlace& material, const GltfVertices& vertices) {
+    const auto slot = textures_.find(material, "normalTexture", TexelUse::linear, vertices);
+    if (!slot) return {};
+    if (std::holds_alternative<VertexMapping>(slot->image.mapping)) {
+        scene_.warnings.add(slot->place.where(),
+                            "has other texture coordinates than the emission: the normal map is "
+                            "left out");
+        return {};
+    }
+    const auto strength = static_cast<float>(slot->place.number("scale", 1));
+    return NormalMap{slot->image.image, slot->image.mapping, slot->image.wraps, strength, true};
+}
+
+void GltfMaterials::add_emission(const JsonPlace& material, const GltfVertices& vertices,
+                                 GltfLook& look) {
+    const Vec3d colour = material.triple("emissiveFactor", Vec3d(0));
+    double strength = 1;
+    if (const auto extension = material.extension("KHR_materials_emissive_strength"))
+        strength = extension->number("emissiveStrength", 1, 0, kMostLight);
+    if (!is_positive(colour * strength)) return;
+    if (is_in_watts_ && !std::exchange(told_watts_, true))
+        scene_.warnings.add(material.where(), emission_in_watts(document_.generator()));
+    AreaEmission emission;
+    emission.two_sided = material.flag("doubleSided", false);
+    const auto scale = static_cast<float>(is_in_watts_ ? strength : strength / kLumensPerWatt);
+    emission.radiance = Spectrum::rgb_illuminant(Vec3(colour)).scaled(scale);
+    if (const auto slot = textures_.find(material, "emissiveTexture", TexelUse::colour, vertices)) {
+        if (slot->place.extension("KHR_texture_transform"))
+            scene_.warnings.add(slot->place.where(),
+                                "the transform of a texture of emission is left out");
+        emission.image = std::make_shared<const SurfaceImage>(
+            coloured(slot->image.image, colour)->with_channels(3));
+        emission.radiance = Spectrum::d65().scaled(scale);
+    }
+    look.emission = std::move(emission);
 }
 
 /// Adds glass in the place of what is opaque, as far as the material transmits.
-void GltfMaterials::add_glass(const JsonPlace& material, GltfPbr& pbr, double ior,
-                              const BumpMap& bump_map, GltfLook& look) {
+void GltfMaterials::add_glass(const JsonPlace& material, const GltfPbr& pbr, GltfSurface& surface,
+                              GltfLook& look) {
     const auto transmission = material.extension("KHR_materials_transmission");
     if (!transmission) return;
-    const auto factor = static_cast<float>(transmission->number("transmissionFactor", 0, 0, 1));
+    const double factor = transmission->number("transmissionFactor", 0, 0, 1);
     if (factor == 0) return;
-    FloatTexture amount = factor;
-    if (const auto slot =
-            textures_.find(*transmission, "transmissionTexture", TexelUse::red, pbr.uv_set))
-        amount = changed(*slot, [&](float t) { return factor * t; });
+    const FloatTexture amount = number_of(
+        textures_.find(*transmission, "transmissionTexture", TexelUse::red, pbr.vertices), factor);
+    const FloatTexture metallic = metallic_of(pbr);
+    if (metallic.is_constant() && metallic.constant() == 1) return;  // metal lets nothing through
     const auto mixed = [&](Material glass) {
-        const std::uint32_t number = add(std::move(glass), bump_map);
-        const bool is_all = amount.is_constant() && amount.constant() == 1;
-        return is_all ? number : add(MixMaterial{{look.material, number}, amount}, bump_map);
+        const auto opaque = [&] { return look.material; };
+        const auto add_glass = [&] { return surface.add(std::move(glass)); };
+        return surface.add_mix(opaque, add_glass, less(amount, metallic));
     };
     double dispersion = 0;
     if (const auto e = material.extension("KHR_materials_dispersion"))
         dispersion = e->number("dispersion", 0, 0, kMost);
-    const Spectrum eta = index_of(ior, dispersion);
+    const Spectrum eta = index_of(pbr.ior, dispersion);
     GltfLook::Glass glass;
-    glass.pane = mixed(ThinDielectricMaterial{eta});
+    glass.pane = mixed(ThinDielectricMaterial{eta, base_colour(pbr)});
+    glass.is_rough = mean_facets(pbr).has_value();
     glass.colour = pbr.base;
+    glass.has_texture = pbr.colour.has_value() || pbr.vertices.colours != nullptr;
     if (const auto volume = material.extension("KHR_materials_volume")) {
         glass.has_volume = volume->number("thicknessFactor", 0, 0, kMost) > 0;
         const double distance = volume->number("attenuationDistance", kMost, 0, kMost);
@@ -214,10 +208,11 @@ void GltfMaterials::add_glass(const JsonPlace& material, GltfPbr& pbr, double io
         if (glass.has_volume && distance > 0) glass.absorption = absorption_over(distance, colour);
     }
     look.material = mixed(DielectricMaterial{eta, roughness_of(pbr)});
-    if (pbr.colour)
-        scene_.warnings.add(pbr.colour->place.where(),
-                            "the texture of glass is left out: its factor alone colours it");
     look.glass = glass;
+    for (const char* name :
+         {"KHR_materials_clearcoat", "KHR_materials_specular", "KHR_materials_iridescence"})
+        if (material.extension(name))
+            scene_.warnings.add(material.where(), std::string(name) + " is left out on glass");
 }
 
 /// Adds what alpha leaves of the surface.
@@ -226,12 +221,7 @@ void GltfMaterials::add_alpha(const JsonPlace& material, const GltfPbr& pbr, Glt
     if (mode == "OPAQUE") return;
     if (mode != "MASK" && mode != "BLEND")
         material.at("alphaMode").refuse("is no mode of alpha", "write OPAQUE, MASK or BLEND");
-    auto factor = static_cast<float>(pbr.alpha);
-    FloatTexture alpha = factor;
-    if (pbr.colour && pbr.colour->image.image->channels() == 4) {
-        const FloatTexture of_image(FloatKind{FloatImageKind{pbr.colour->image}});
-        alpha = FloatTexture(FloatKind{ScaledKind<FloatTexture>{of_image, factor}});
-    }
+    const FloatTexture alpha = alpha_of(pbr);
     if (mode == "MASK") {
         const auto cutoff = static_cast<float>(material.number("alphaCutoff", 0.5));
         look.cover = [alpha, cutoff](const Hit& hit) {
@@ -243,22 +233,45 @@ void GltfMaterials::add_alpha(const JsonPlace& material, const GltfPbr& pbr, Glt
     }
 }
 
-GltfLook GltfMaterials::made(const std::optional<JsonPlace>& material) {
-    GltfPbr pbr = pbr_of(material, textures_);
+/// A black surface that emits its base colour, 1 cd/m2 where that is 1, on both sides.
+GltfLook GltfMaterials::made_unlit(const JsonPlace& material, const GltfPbr& pbr) {
     GltfLook look;
-    if (!material) {
-        look.material = add_opaque(pbr, 1.5, {});
-        return look;
+    look.material = GltfSurface(scene_, textures_, {}).add(DiffuseMaterial{Spectrum::constant(0)});
+    AreaEmission emission;
+    emission.two_sided = true;
+    constexpr auto kNit = static_cast<float>(1 / kLumensPerWatt);
+    emission.radiance = Spectrum::rgb_illuminant(Vec3(pbr.base)).scaled(kNit);
+    if (pbr.colour) {
+        emission.image = std::make_shared<const SurfaceImage>(
+            coloured(pbr.colour->image.image, pbr.base)->with_channels(3));
+        emission.radiance = Spectrum::d65().scaled(kNit);
     }
-    double ior = 1.5;
-    if (const auto e = material->extension("KHR_materials_ior"))
-        ior = e->number("ior", 1.5, 1, kMost);
-    const BumpMap bump_map = normal_map_of(*material, textures_, pbr.uv_set);
-    look.emission = emission_of(*material, textures_, pbr.uv_set);
-    look.material = add_opaque(pbr, ior, bump_map);
+    if (pbr.vertices.colours)
+        scene_.warnings.add(material.where(), "colours of vertices are left out where unlit");
+    if (is_positive(pbr.base)) look.emission = std::move(emission);
+    add_alpha(material, pbr, look);
+    return look;
+}
+
+GltfLook GltfMaterials::made(const std::optional<JsonPlace>& material,
+                             const GltfVertices& vertices) {
+    const GltfPbr pbr = pbr_of(material, textures_, vertices);
+    if (material && material->extension("KHR_materials_unlit")) return made_unlit(*material, pbr);
+    GltfLook look;
+    const BumpMap bump_map = material ? normal_map_of(*material, vertices) : BumpMap();
+    GltfSurface surface(scene_, textures_, bump_map);
+    look.material = surface.add_opaque(pbr, material);
+    if (!material) return look;
+    add_emission(*material, vertices, look);
     add_alpha(*material, pbr, look);
-    add_glass(*material, pbr, ior, bump_map, look);
-    look.uv_set = pbr.uv_set.value_or(0);
+    add_glass(*material, pbr, surface, look);
+    if (const auto e = material->extension("KHR_materials_anisotropy"); e && pbr.anisotropy > 0) {
+        look.tangent_turn = e->number("anisotropyRotation", 0);
+        if (look.tangent_turn != 0 && !is_flat(bump_map)) {
+            scene_.warnings.add(e->where(), "anisotropy is not rotated under a normal map");
+            look.tangent_turn = 0;
+        }
+    }
     return look;
 }
 

@@ -1,16 +1,18 @@
 // Materials of glTF: metallic-roughness, glass, emission, as materials of ours.
 //
-// A surface is a diffuse base under a rough clear coat, or a metal, mixed by `metallic`. With
-// KHR_materials_transmission it is glass.
+// A surface is opaque (import/gltf/opaque.h) or, with KHR_materials_transmission, glass.
 // Source: glTF 2.0 Specification, section 3.9 and appendix B; the KHR_materials extensions.
 #pragma once
 
-#include "import/gltf/textures.h"
-#include "scene/description.h"
+#include "import/gltf/opaque.h"
+#include "scene/import_settings.h"
 
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
+#include <utility>
+#include <vector>
 
 namespace sunfleck::engine {
 
@@ -20,7 +22,8 @@ struct GltfLook {
     std::optional<AreaEmission> emission{};
     Cover cover{};                        // null: opaque
     std::optional<FloatTexture> alpha{};  // of `cover`, for emission
-    std::uint64_t uv_set = 0;
+    double tangent_turn = 0;              // of anisotropy, radians from u to v
+    bool is_of_vertices = false;          // made for one primitive and the order of its triangles
     /// Of glass: the material of its panes, what a straight way through it lets pass, and the
     /// medium within.
     struct Glass {
@@ -28,45 +31,50 @@ struct GltfLook {
         Vec3d colour{1};
         Vec3d absorption{0};  // per metre, linear sRGB
         bool has_volume = false;
+        bool has_texture = false;  // of its colour
+        bool is_rough = false;
     };
     std::optional<Glass> glass{};
-};
-
-/// The parameters of metallic-roughness, with their textures.
-struct GltfPbr {
-    Vec3d base{1};
-    double alpha = 1;
-    double metallic = 1;
-    double roughness = 1;
-    std::optional<GltfTextures::Slot> colour{};
-    std::optional<GltfTextures::Slot> green{};  // roughness
-    std::optional<GltfTextures::Slot> blue{};   // metallic
-    std::optional<std::uint64_t> uv_set{};      // of all textures, if there are any
 };
 
 class GltfMaterials {
 public:
     /// All must outlive this.
-    GltfMaterials(GltfDocument& document, SceneDescription& scene);
+    /// @param settings  variant and unit of emission.
+    /// @throws Error  for a variant that the file lacks.
+    GltfMaterials(GltfDocument& document, SceneDescription& scene, const ImportSettings& settings);
+
+    /// Returns the numbers of the texture coordinates that a primitive's material uses. The first
+    /// are those that the mesh is to have; there is always one.
+    std::vector<std::uint64_t> uv_sets_of(const JsonPlace& primitive) const;
 
     /// Returns the look of a primitive: of its material, or glTF's default.
-    const GltfLook& look_of(const JsonPlace& primitive);
+    /// @param vertices  of the primitive.
+    const GltfLook& look_of(const JsonPlace& primitive, const GltfVertices& vertices);
 
     /// Returns a medium that absorbs so much per metre. @param absorption  linear sRGB.
     MediumNumber medium_of(const Vec3d& absorption);
 
 private:
-    GltfLook made(const std::optional<JsonPlace>& material);
-    std::uint32_t add(Material material, const BumpMap& bump_map);
-    std::uint32_t add_opaque(const GltfPbr& pbr, double ior, const BumpMap& bump_map);
+    /// Number of a material, and the primitive if its vertices carry something.
+    using Key = std::pair<std::optional<std::size_t>, std::string>;
+
+    std::optional<JsonPlace> material_of(const JsonPlace& primitive) const;
+    GltfLook made(const std::optional<JsonPlace>& material, const GltfVertices& vertices);
+    GltfLook made_unlit(const JsonPlace& material, const GltfPbr& pbr);
     void add_alpha(const JsonPlace& material, const GltfPbr& pbr, GltfLook& look);
-    void add_glass(const JsonPlace& material, GltfPbr& pbr, double ior, const BumpMap& bump_map,
+    void add_glass(const JsonPlace& material, const GltfPbr& pbr, GltfSurface& surface,
                    GltfLook& look);
+    void add_emission(const JsonPlace& material, const GltfVertices& vertices, GltfLook& look);
+    BumpMap normal_map_of(const JsonPlace& material, const GltfVertices& vertices);
 
     GltfDocument& document_;
     SceneDescription& scene_;
     GltfTextures textures_;
-    std::map<std::optional<std::size_t>, GltfLook> looks_;
+    std::optional<std::size_t> variant_{};
+    bool is_in_watts_ = false;  // emission
+    bool told_watts_ = false;
+    std::map<Key, GltfLook> looks_;
 };
 
 }  // namespace sunfleck::engine

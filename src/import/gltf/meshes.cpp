@@ -125,11 +125,12 @@ std::vector<double> weights_of(const JsonPlace& holder) {
 }  // namespace
 
 MeshPose pose_of(const GltfDocument& document, const GltfNodes& nodes, const Accessors& accessors,
-                 const JsonPlace& node, const JsonPlace& mesh) {
+                 const GltfNode& node, const JsonPlace& mesh) {
     MeshPose pose;
-    pose.weights = weights_of(node);
+    pose.weights = node.weights;
+    if (pose.weights.empty()) pose.weights = weights_of(node.place);
     if (pose.weights.empty()) pose.weights = weights_of(mesh);
-    const auto number = node.find("skin");
+    const auto number = node.place.find("skin");
     if (!number) return pose;
     const JsonPlace skin = document.element("skins", *number);
     std::vector<std::array<float, 16>> bindings;
@@ -173,8 +174,6 @@ std::optional<TriangleMesh> triangles_of(const Accessors& accessors, const JsonP
         check_size(*uvs, mesh.uvs.size(), vertices);
         for (Vec2& uv : mesh.uvs) uv.y = 1 - uv.y;
     }
-    if (attributes.find("COLOR_0"))
-        warnings.add(primitive.where(), "colours of vertices are left out");
     if (!pose.is_rigid()) skin(accessors, attributes, pose, mesh);
     mesh.triangles =
         assembled(corners_of(accessors, primitive, vertices), static_cast<Topology>(mode));

@@ -24,7 +24,7 @@ struct MeshPose {
 
 /// Returns the pose of a node's mesh.
 MeshPose pose_of(const GltfDocument& document, const GltfNodes& nodes, const Accessors& accessors,
-                 const JsonPlace& node, const JsonPlace& mesh);
+                 const GltfNode& node, const JsonPlace& mesh);
 
 /// Returns the triangles of a primitive; nothing for points and lines, of which a warning tells.
 /// Without normals the mesh is flat.

@@ -35,8 +35,11 @@ Matrix frame_of(const Vec3d& scale, const Matrix& rotation, const Vec3d& transla
     return m;
 }
 
-Matrix local_frame(const JsonPlace& node) {
+Matrix local_frame(const JsonPlace& node, const GltfPose& pose) {
     if (const auto matrix = node.find("matrix")) {
+        if (pose.translation || pose.rotation || pose.scale)
+            matrix->refuse("is a matrix of a node that is animated",
+                           "give the node translation, rotation and scale");
         const std::vector<double> columns = matrix->numbers(16);
         Matrix m;
         for (int i = 0; i < 4; ++i)
@@ -48,8 +51,9 @@ Matrix local_frame(const JsonPlace& node) {
         const std::vector<double> q = rotation->numbers(4);
         turn = {q[0], q[1], q[2], q[3]};
     }
-    return frame_of(node.triple("scale", Vec3d(1)), rotation_of(turn, node),
-                    node.triple("translation", Vec3d(0)));
+    return frame_of(pose.scale.value_or(node.triple("scale", Vec3d(1))),
+                    rotation_of(pose.rotation.value_or(turn), node),
+                    pose.translation.value_or(node.triple("translation", Vec3d(0))));
 }
 
 /// @throws Error  for a frame that floats cannot hold.
@@ -72,8 +76,10 @@ std::vector<JsonPlace> roots_of(const GltfDocument& document) {
 
 }  // namespace
 
-GltfNodes::GltfNodes(const GltfDocument& document, const Accessors& accessors)
+GltfNodes::GltfNodes(const GltfDocument& document, const Accessors& accessors,
+                     const GltfPoses& poses)
     : accessors_(accessors) {
+    static const GltfPose kAtRest{};
     const std::size_t count = document.count("nodes");
     to_world_.resize(count);
     std::vector<bool> is_placed(count, false);
@@ -95,9 +101,11 @@ GltfNodes::GltfNodes(const GltfDocument& document, const Accessors& accessors)
                                "give each node one parent");
         is_placed[number] = true;
         const JsonPlace node = document.element("nodes", next.number);
-        to_world_[number] = local_frame(node) * next.parent;
+        const auto posed = poses.find(number);
+        const GltfPose& pose = posed == poses.end() ? kAtRest : posed->second;
+        to_world_[number] = local_frame(node, pose) * next.parent;
         check_size(node, to_world_[number]);
-        in_scene_.push_back({node, to_world_[number]});
+        in_scene_.push_back({node, to_world_[number], pose.weights});
         add_all(node.elements("children"), to_world_[number]);
     }
 }

@@ -3,7 +3,7 @@
 // Source: glTF 2.0 Specification, section 3.5; EXT_mesh_gpu_instancing.
 #pragma once
 
-#include "import/gltf/accessors.h"
+#include "import/gltf/animations.h"
 #include "math/vector.h"
 
 #include <vector>
@@ -14,14 +14,16 @@ namespace sunfleck::engine {
 struct GltfNode {
     JsonPlace place;
     Matrix to_world;
+    std::vector<double> weights{};  // of morph targets, by animations; empty: its own
 };
 
 class GltfNodes {
 public:
     /// Places all nodes of the scene that the file chooses (its first if it chooses none; all roots
-    /// without scenes).
+    /// without scenes), in the poses that animations give them.
     /// @throws Error  for nodes with two parents, a loop among them.
-    GltfNodes(const GltfDocument& document, const Accessors& accessors);
+    GltfNodes(const GltfDocument& document, const Accessors& accessors,
+              const GltfPoses& poses = {});
 
     /// Returns the nodes of the scene, parents first.
     const std::vector<GltfNode>& in_scene() const { return in_scene_; }

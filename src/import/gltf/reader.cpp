@@ -2,7 +2,9 @@
 #include "import/gltf/reader.h"
 
 #include "geometry/affine.h"
+#include "import/gltf/draco.h"
 #include "import/gltf/lights.h"
+#include "import/gltf/meshopt.h"
 #include "import/gltf/shapes.h"
 #include "import/gltf/units.h"
 #include "import/gltf/view.h"
@@ -18,10 +20,14 @@ namespace sunfleck::engine {
 namespace {
 
 /// Extensions that are read. Others are named in a warning, or refused where they are required.
-constexpr std::array<std::string_view, 9> kExtensions = {
-    "EXT_mesh_gpu_instancing",  "KHR_lights_punctual",
+constexpr std::array<std::string_view, 17> kExtensions = {
+    "EXT_mesh_gpu_instancing",  "EXT_texture_webp",
+    "KHR_lights_punctual",      "KHR_materials_anisotropy",
+    "KHR_materials_clearcoat",  "KHR_materials_diffuse_transmission",
     "KHR_materials_dispersion", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",        "KHR_materials_transmission",
+    "KHR_materials_ior",        "KHR_materials_iridescence",
+    "KHR_materials_specular",   "KHR_materials_transmission",
+    "KHR_materials_unlit",      "KHR_materials_variants",
     "KHR_materials_volume",     "KHR_mesh_quantization",
     "KHR_texture_transform"};
 
@@ -30,28 +36,52 @@ bool is_harmless(std::string_view name) {
     return name.starts_with("KHR_xmp") || name == "KHR_animation_pointer";
 }
 
+/// @throws Error  for an extension that other builds of this program read.
+void check_built_in(const JsonPlace& extension) {
+    const auto refuse = [&](const std::string& library, const std::string& package) {
+        extension.refuse("requires the extension " + extension.text() +
+                             ", but this program is built without " + library,
+                         "build it with " + package + ", or export the scene without it");
+    };
+    if (extension.text() == "KHR_draco_mesh_compression") refuse("Draco", "libdraco-dev");
+    if (extension.text() == "EXT_meshopt_compression")
+        refuse("meshoptimizer", "libmeshoptimizer-dev");
+}
+
 void check_extensions(const GltfDocument& document, SceneDescription& scene) {
     const auto is_read = [](const std::string& name) {
+        if (name == "KHR_draco_mesh_compression") return has_draco();
+        if (name == "EXT_meshopt_compression") return has_meshopt();
         return std::find(kExtensions.begin(), kExtensions.end(), name) != kExtensions.end();
     };
     for (const JsonPlace& required : document.root().elements("extensionsRequired"))
-        if (!is_read(required.text()))
+        if (!is_read(required.text())) {
+            check_built_in(required);
             required.refuse("requires the extension " + required.text() + ", which is not read",
                             "export the scene without it");
+        }
     for (const JsonPlace& used : document.root().elements("extensionsUsed"))
         if (!is_read(used.text()) && !is_harmless(used.text()))
             scene.warnings.add(used.where(), "the extension " + used.text() +
                                                  " is not read: what it adds is left out");
 }
 
+Accessors unpacked_accessors(const GltfDocument& document) {
+    Accessors accessors(document);
+    unpack_draco(document, accessors);
+    return accessors;
+}
+
 class GltfReading {
 public:
-    GltfReading(GltfDocument& document, SceneDescription scene)
+    GltfReading(GltfDocument& document, const ImportSettings& settings, SceneDescription scene)
         : scene_(std::move(scene)),
           document_(document),
-          accessors_(document_),
-          nodes_(document_, accessors_),
-          shapes_(document_, accessors_, nodes_, scene_) {}
+          settings_(settings),
+          accessors_(unpacked_accessors(document_)),
+          nodes_(document_, accessors_,
+                 poses_at(settings.frame_time, document_, accessors_, scene_.warnings)),
+          shapes_(document_, accessors_, nodes_, scene_, settings) {}
 
     SceneDescription read() {
         for (const GltfNode& node : nodes_.in_scene())
@@ -59,10 +89,8 @@ public:
                 uses_[number_of(*mesh)] += nodes_.instances_of(node).size();
         for (const GltfNode& node : nodes_.in_scene()) add_node(node);
         add_punctual_lights(document_, nodes_, scene_);
-        if (scene_.lights.empty() && !emits()) add_sky();
-        set_view(document_, nodes_, scene_);
-        if (document_.root().find("animations"))
-            scene_.warnings.add({scene_.path}, "animations are left out: all stands as at rest");
+        shapes_.tell_glass();
+        set_view(document_, nodes_, settings_.camera, scene_);
         scene_.files = document_.files();
         return std::move(scene_);
     }
@@ -77,14 +105,14 @@ private:
         if (!number) return;
         const JsonPlace mesh = document_.element("meshes", *number);
         const bool has_skin = node.place.find("skin").has_value();
-        const bool has_pose = has_skin || node.place.find("weights");
+        const bool has_pose = has_skin || node.place.find("weights") || !node.weights.empty();
         if (!has_pose && uses_.at(number_of(*number)) > 1) {
             add_instances(node, mesh, number_of(*number));
             return;
         }
         const std::vector<Matrix> frames = nodes_.instances_of(node);
         if (frames.empty()) return;
-        for (ShapeDescription& shape : shapes_.of(node.place, mesh)) {
+        for (ShapeDescription& shape : shapes_.of(node, mesh)) {
             if (!has_skin) shape.placed.to_world = frames.front();
             scene_.shapes.push_back(std::move(shape));
         }
@@ -100,7 +128,7 @@ private:
     Shared shared_of(const GltfNode& node, const JsonPlace& mesh) {
         Shared shared;
         std::vector<ShapeDescription> object;
-        for (ShapeDescription& shape : shapes_.of(node.place, mesh))
+        for (ShapeDescription& shape : shapes_.of(node, mesh))
             (shape.emission ? shared.emitting : object).push_back(std::move(shape));
         if (object.empty()) return shared;
         shared.object = static_cast<std::uint32_t>(scene_.objects.size());
@@ -124,21 +152,9 @@ private:
         }
     }
 
-    bool emits() const {
-        return std::any_of(scene_.shapes.begin(), scene_.shapes.end(),
-                           [](const ShapeDescription& s) { return s.emission.has_value(); });
-    }
-
-    void add_sky() {
-        scene_.warnings.add({scene_.path}, "there is no light: an even white sky is used");
-        scene_.stated_in.push_back(static_cast<std::uint32_t>(scene_.light_statements.size()));
-        scene_.light_statements.push_back({"sky", {scene_.path}});
-        constexpr auto kNit = static_cast<float>(1 / kLumensPerWatt);
-        scene_.lights.emplace_back(InfiniteLight{Spectrum::d65().scaled(kNit)});
-    }
-
     SceneDescription scene_;
     GltfDocument& document_;
+    const ImportSettings& settings_;
     Accessors accessors_;
     GltfNodes nodes_;
     GltfShapes shapes_;
@@ -148,13 +164,17 @@ private:
 
 }  // namespace
 
-SceneDescription read_gltf(const std::string& path, const ImportSettings&) {
+SceneDescription read_gltf(const std::string& path, const ImportSettings& settings) {
     GltfDocument document(path);
+    return read_gltf_document(document, settings);
+}
+
+SceneDescription read_gltf_document(GltfDocument& document, const ImportSettings& settings) {
     SceneDescription scene;
-    scene.path = path;
+    scene.path = document.path();
     scene.film.imaging_ratio = static_cast<float>(kLumensPerWatt);  // a pixel of 1 is 1 cd/m2
     check_extensions(document, scene);
-    return GltfReading(document, std::move(scene)).read();
+    return GltfReading(document, settings, std::move(scene)).read();
 }
 
 }  // namespace sunfleck::engine

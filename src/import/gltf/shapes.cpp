@@ -2,32 +2,66 @@
 #include "import/gltf/shapes.h"
 
 #include "import/gltf/glass.h"
+#include "math/trigonometry.h"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 namespace sunfleck::engine {
 
+namespace {
+
+constexpr Vec3 kNoDirection(0, 0, 0);
+
+/// Returns directions of the surface at the vertices, at an angle to that in which u grows.
+/// @param turn  radians, towards the direction in which v grows.
+std::vector<Vec3> turned_tangents(const TriangleMesh& mesh, double turn) {
+    const SinCos at = sin_cos_2pi(turn / (2 * kPiDouble));
+    std::vector<Vec3> tangents(mesh.positions.size(), kNoDirection);
+    for (const auto& c : mesh.triangles) {
+        const Vec2d u1(mesh.uvs[c[1]] - mesh.uvs[c[0]]);
+        const Vec2d u2(mesh.uvs[c[2]] - mesh.uvs[c[0]]);
+        const Vec3d p1(mesh.positions[c[1]] - mesh.positions[c[0]]);
+        const Vec3d p2(mesh.positions[c[2]] - mesh.positions[c[0]]);
+        const double side = u1.x * u2.y - u2.x * u1.y < 0 ? -1 : 1;
+        const Vec3d along_u = ((p1 * u2.y - p2 * u1.y) * side).normalized();
+        const Vec3d along_v = ((p2 * u1.x - p1 * u2.x) * side).normalized();
+        const Vec3 tangent(along_u * at.cos + along_v * at.sin);
+        for (const std::uint32_t corner : c) tangents[corner] += tangent;
+    }
+    return tangents;
+}
+
+}  // namespace
+
 GltfShapes::GltfShapes(GltfDocument& document, const Accessors& accessors, const GltfNodes& nodes,
-                       SceneDescription& scene)
+                       SceneDescription& scene, const ImportSettings& settings)
     : document_(document),
       accessors_(accessors),
       nodes_(nodes),
       scene_(scene),
-      materials_(document, scene) {}
+      rule_(settings.glass),
+      materials_(document, scene, settings) {}
 
-std::vector<GltfShapes::Part> GltfShapes::parts_of(const JsonPlace& node, const JsonPlace& mesh) {
+std::vector<GltfShapes::Part> GltfShapes::parts_of(const GltfNode& node, const JsonPlace& mesh) {
     const MeshPose pose = pose_of(document_, nodes_, accessors_, node, mesh);
     std::vector<Part> parts;
     for (const JsonPlace& primitive : mesh.at("primitives").elements()) {
-        const GltfLook& look = materials_.look_of(primitive);
-        auto triangles = triangles_of(accessors_, primitive, pose, look.uv_set, scene_.warnings);
-        if (triangles) parts.push_back({std::move(*triangles), &look, primitive.where()});
+        const std::vector<std::uint64_t> uv_sets = materials_.uv_sets_of(primitive);
+        auto triangles =
+            triangles_of(accessors_, primitive, pose, uv_sets.front(), scene_.warnings);
+        if (!triangles) continue;
+        const GltfLook& look = materials_.look_of(
+            primitive, vertices_of(document_, accessors_, primitive, uv_sets, *triangles));
+        if (look.tangent_turn != 0 && !triangles->uvs.empty())
+            triangles->tangents = turned_tangents(*triangles, look.tangent_turn);
+        parts.push_back({std::move(*triangles), &look, primitive.where()});
     }
     return parts;
 }
 
-std::vector<ShapeDescription> GltfShapes::of(const JsonPlace& node, const JsonPlace& mesh) {
+std::vector<ShapeDescription> GltfShapes::of(const GltfNode& node, const JsonPlace& mesh) {
     std::vector<Part> parts = parts_of(node, mesh);
     const bool has_glass = std::any_of(parts.begin(), parts.end(),
                                        [](const Part& p) { return p.look->glass.has_value(); });
@@ -59,35 +93,56 @@ ShapeDescription GltfShapes::shape_of(const Part& part, TriangleMesh mesh) {
 
 void GltfShapes::add_glass(const Part& part, const std::vector<bool>& closed,
                            std::vector<ShapeDescription>& shapes) {
-    std::vector<bool> open = closed;
-    open.flip();
-    TriangleMesh solid = chosen_triangles(part.mesh, closed);
-    TriangleMesh panes = chosen_triangles(part.mesh, open);
+    const bool all_closed = std::all_of(closed.begin(), closed.end(), [](bool c) { return c; });
+    std::vector<bool> solid = closed;
+    if (rule_ != GlassRule::automatic) solid.assign(closed.size(), rule_ == GlassRule::solid);
+    // Values of vertices are looked up by the number of a triangle: such a part stays whole.
+    if (part.look->is_of_vertices && rule_ == GlassRule::automatic && !all_closed)
+        solid.assign(closed.size(), false);
+    std::vector<bool> thin = solid;
+    thin.flip();
+    TriangleMesh inside = chosen_triangles(part.mesh, solid);
+    TriangleMesh panes = chosen_triangles(part.mesh, thin);
     if (!panes.triangles.empty()) shapes.push_back(pane_of(part, std::move(panes)));
-    if (!solid.triangles.empty()) shapes.push_back(solid_of(part, std::move(solid)));
+    if (!inside.triangles.empty())
+        shapes.push_back(
+            solid_of(part, std::move(inside), all_closed || rule_ == GlassRule::automatic));
 }
 
 ShapeDescription GltfShapes::pane_of(const Part& part, TriangleMesh mesh) {
-    const GltfLook::Glass& glass = *part.look->glass;
-    if (glass.has_volume)
-        scene_.warnings.add(part.where,
-                            "glass has a volume, but its surface is open: it is a thin pane");
-    if (glass.colour != Vec3d(1))
-        scene_.warnings.add(part.where, "the colour of thin glass is left out");
+    ++thin_glass_;
+    if (part.look->glass->is_rough)
+        scene_.warnings.add(part.where, "thin glass is smooth: its roughness is left out");
     ShapeDescription shape = shape_of(part, std::move(mesh));
-    shape.material = glass.pane;
+    shape.material = part.look->glass->pane;
     return shape;
 }
 
 /// A straight way through solid glass of mean length has its colour.
-ShapeDescription GltfShapes::solid_of(const Part& part, TriangleMesh mesh) {
+ShapeDescription GltfShapes::solid_of(const Part& part, TriangleMesh mesh, bool is_closed) {
+    ++solid_glass_;
     const GltfLook::Glass& glass = *part.look->glass;
     Vec3d absorption = glass.absorption;
-    const double chord = mean_chord(mesh);
+    const double chord = is_closed ? mean_chord(mesh) : 0;
     if (chord > 0) absorption += absorption_over(chord, glass.colour);
+    if (chord > 0 && glass.has_texture)
+        scene_.warnings.add(part.where,
+                            "a texture of solid glass is left out: its factor alone colours it");
     ShapeDescription shape = shape_of(part, std::move(mesh));
     if (absorption != Vec3d(0)) shape.media.inside = materials_.medium_of(absorption);
     return shape;
+}
+
+void GltfShapes::tell_glass() const {
+    if (rule_ != GlassRule::automatic || solid_glass_ + thin_glass_ == 0) return;
+    const auto parts = [](std::size_t count) {
+        return std::to_string(count) + (count == 1 ? " part" : " parts");
+    };
+    std::string text = "glass: ";
+    if (solid_glass_ > 0) text += parts(solid_glass_) + " closed, so solid";
+    if (solid_glass_ > 0 && thin_glass_ > 0) text += "; ";
+    if (thin_glass_ > 0) text += parts(thin_glass_) + " open, so thin panes";
+    scene_.warnings.add({scene_.path}, text + " (--glass solid|thin for all)");
 }
 
 }  // namespace sunfleck::engine

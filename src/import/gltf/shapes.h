@@ -12,11 +12,14 @@ class GltfShapes {
 public:
     /// All must outlive this.
     GltfShapes(GltfDocument& document, const Accessors& accessors, const GltfNodes& nodes,
-               SceneDescription& scene);
+               SceneDescription& scene, const ImportSettings& settings);
 
     /// Returns the shapes of a mesh as a node shows it, in the mesh's own frame; in the world if
     /// the node has a skin.
-    std::vector<ShapeDescription> of(const JsonPlace& node, const JsonPlace& mesh);
+    std::vector<ShapeDescription> of(const GltfNode& node, const JsonPlace& mesh);
+
+    /// Tells in one line which glass is solid and which is thin, unless the user has said so.
+    void tell_glass() const;
 
 private:
     /// A primitive.
@@ -26,18 +29,21 @@ private:
         SourceLocation where;
     };
 
-    std::vector<Part> parts_of(const JsonPlace& node, const JsonPlace& mesh);
+    std::vector<Part> parts_of(const GltfNode& node, const JsonPlace& mesh);
     static ShapeDescription shape_of(const Part& part, TriangleMesh mesh);
     void add_glass(const Part& part, const std::vector<bool>& closed,
                    std::vector<ShapeDescription>& shapes);
     ShapeDescription pane_of(const Part& part, TriangleMesh mesh);
-    ShapeDescription solid_of(const Part& part, TriangleMesh mesh);
+    ShapeDescription solid_of(const Part& part, TriangleMesh mesh, bool is_closed);
 
     const GltfDocument& document_;
     const Accessors& accessors_;
     const GltfNodes& nodes_;
     SceneDescription& scene_;
+    GlassRule rule_;
     GltfMaterials materials_;
+    std::size_t solid_glass_ = 0;  // parts
+    std::size_t thin_glass_ = 0;
 };
 
 }  // namespace sunfleck::engine

@@ -26,6 +26,13 @@ Encoded encoded_image(GltfDocument& document, const JsonPlace& image) {
     return {document.read(uri), is_data_uri(text) ? uri.where().file : without_escapes(text)};
 }
 
+/// Returns the number of a texture's image; nothing where it has none that is read.
+std::optional<JsonPlace> source_of(const JsonPlace& texture) {
+    if (const auto webp = texture.extension("EXT_texture_webp"))
+        if (auto source = webp->find("source")) return source;
+    return texture.find("source");
+}
+
 /// Returns 8-bit texels under another encoding; floats and halves are linear as they are.
 Image encoded_as(const Image& image, Encoding::Kind kind) {
     return {image.resolution(), image.channels(), image.texels(), Encoding{kind}};
@@ -35,9 +42,12 @@ Image channel_of(const Image& image, std::size_t channel) {
     const Vec2i size = image.resolution();
     std::vector<half> texels;
     texels.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
-    const bool grey = image.channels() < 3;
+    constexpr std::size_t kAlpha = 3;
+    const bool grey = image.channels() < 3 && channel < kAlpha;
+    const bool is_opaque = image.channels() < 4 && channel == kAlpha;
     for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) texels.emplace_back(image.at(x, y).at(grey ? 0 : channel));
+        for (int x = 0; x < size.x; ++x)
+            texels.emplace_back(is_opaque ? 1.0F : image.at(x, y).at(grey ? 0 : channel));
     return {size, 1, std::move(texels)};
 }
 
@@ -76,8 +86,7 @@ GltfTextures::GltfTextures(GltfDocument& document, Warnings& warnings)
     images_.resize(count);
     std::vector<std::size_t> used;
     for (const JsonPlace& texture : document.root().elements("textures"))
-        if (const auto source = texture.find("source"))
-            used.push_back(source->index(count, "image"));
+        if (const auto source = source_of(texture)) used.push_back(source->index(count, "image"));
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
     load(used);
@@ -117,38 +126,45 @@ std::shared_ptr<const Image> GltfTextures::image_of(std::size_t number, TexelUse
     return made;
 }
 
+std::uint64_t uv_set_of(const JsonPlace& info) {
+    const std::uint64_t plain = info.whole("texCoord", 0);
+    const auto transform = info.extension("KHR_texture_transform");
+    return transform ? transform->whole("texCoord", plain) : plain;
+}
+
 std::optional<GltfTextures::Slot> GltfTextures::find(const JsonPlace& holder, std::string_view key,
-                                                     TexelUse use,
-                                                     std::optional<std::uint64_t>& of_material) {
+                                                     TexelUse use, const GltfVertices& vertices) {
     const auto info = holder.find(key);
     if (!info) return {};
     const JsonPlace texture = document_.element("textures", info->at("index"));
-    const auto source = texture.find("source");
+    const auto source = source_of(texture);
     if (!source) {
+        const bool is_ktx = texture.extension("KHR_texture_basisu").has_value();
         warnings_.add(texture.where(),
-                      "has no image that can be read (WebP and KTX2 cannot): the "
-                      "texture is left out");
+                      is_ktx ? "has its image as KTX2 alone (KHR_texture_basisu), which is not "
+                               "read: the texture is left out"
+                             : "has no image: the texture is left out");
         return {};
     }
     ImageKind image;
-    std::uint64_t uv_set = info->whole("texCoord", 0);
     image.image = image_of(source->index(images_.size(), "image"), use);
     if (const auto index = texture.find("sampler")) {
         const JsonPlace sampler = document_.element("samplers", *index);
         image.wraps = {wrap_of(sampler.whole("wrapS", 0)), wrap_of(sampler.whole("wrapT", 0))};
         image.nearest = sampler.whole("magFilter", 0) == kNearest;
     }
-    if (const auto transform = info->extension("KHR_texture_transform")) {
-        image.mapping = mapping_of(*transform);
-        uv_set = transform->whole("texCoord", uv_set);
-    }
-    if (of_material.value_or(uv_set) != uv_set) {
+    const auto transform = info->extension("KHR_texture_transform");
+    if (transform) image.mapping = mapping_of(*transform);
+    const std::uint64_t uv_set = uv_set_of(*info);
+    if (uv_set == vertices.own_set) return Slot{std::move(image), *info};
+    const auto others = vertices.other_sets.find(uv_set);
+    if (others == vertices.other_sets.end()) {
         warnings_.add(info->where(),
-                      "has other texture coordinates than the material's first: the "
-                      "texture is left out");
+                      "asks for texture coordinates that its mesh lacks: the texture is left out");
         return {};
     }
-    of_material = uv_set;
+    image.mapping = VertexMapping{{vertices.triangles, others->second},
+                                  transform ? mapping_of(*transform) : TurnedUvMapping()};
     return Slot{std::move(image), *info};
 }
 

@@ -6,7 +6,7 @@
 
 #include "core/warnings.h"
 #include "image/image.h"
-#include "import/gltf/document.h"
+#include "import/gltf/vertices.h"
 #include "texture/texture.h"
 
 #include <cstdint>
@@ -24,7 +24,8 @@ enum class TexelUse : std::uint8_t {
     linear,  // as stored
     red,     // one channel, as stored
     green,
-    blue
+    blue,
+    alpha
 };
 
 class GltfTextures {
@@ -38,11 +39,10 @@ public:
         JsonPlace place;
     };
 
-    /// Returns what a textureInfo names. Where its image cannot be had, or its coordinates are not
-    /// of the set that the material has, it returns nothing and warns.
-    /// @param uv_set  of the material, which its first texture sets.
+    /// Returns what a textureInfo names, by the coordinates that it asks for. Where its image or
+    /// its coordinates cannot be had, it returns nothing and warns.
     std::optional<Slot> find(const JsonPlace& holder, std::string_view key, TexelUse use,
-                             std::optional<std::uint64_t>& uv_set);
+                             const GltfVertices& vertices);
 
 private:
     std::shared_ptr<const Image> image_of(std::size_t number, TexelUse use);
@@ -53,6 +53,9 @@ private:
     std::vector<std::shared_ptr<const Image>> images_;  // as stored; null: not used, or not read
     std::map<std::pair<std::size_t, TexelUse>, std::shared_ptr<const Image>> made_;
 };
+
+/// Returns the number of the texture coordinates that a textureInfo asks for.
+std::uint64_t uv_set_of(const JsonPlace& info);
 
 /// Returns an image times a colour; the same image for white.
 std::shared_ptr<const Image> coloured(std::shared_ptr<const Image> image, const Vec3d& by);

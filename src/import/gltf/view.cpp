@@ -1,6 +1,7 @@
 // Cameras look along -z of their node, with y up.
 #include "import/gltf/view.h"
 
+#include "import/gltf/camera_choice.h"
 #include "math/trigonometry.h"
 #include "scene/framing.h"
 
@@ -68,13 +69,13 @@ Camera framing(const Bounds& bounds, FilmDescription& film) {
 
 }  // namespace
 
-void set_view(const GltfDocument& document, const GltfNodes& nodes, SceneDescription& scene) {
-    for (const GltfNode& node : nodes.in_scene())
-        if (const auto number = node.place.find("camera")) {
-            scene.camera =
-                camera_of(document.element("cameras", *number), node.to_world, scene.film);
-            return;
-        }
+void set_view(const GltfDocument& document, const GltfNodes& nodes, const std::string& chosen,
+              SceneDescription& scene) {
+    if (const auto node = chosen_camera(document, nodes, chosen)) {
+        scene.camera = camera_of(document.element("cameras", node->place.at("camera")),
+                                 node->to_world, scene.film);
+        return;
+    }
     scene.warnings.add({scene.path}, "there is no camera: one that sees the whole scene is used");
     scene.camera = framing(bounds_of_scene(scene), scene.film);
 }

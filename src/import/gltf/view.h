@@ -4,10 +4,15 @@
 #include "import/gltf/nodes.h"
 #include "scene/description.h"
 
+#include <string>
+
 namespace sunfleck::engine {
 
-/// Sets camera and film: of the first camera of the scene; if it has none, of one that sees all
+/// Sets camera and film: of the chosen camera of the scene; if it has none, of one that sees all
 /// shapes, of which a line tells.
-void set_view(const GltfDocument& document, const GltfNodes& nodes, SceneDescription& scene);
+/// @param chosen  name of the camera or of its node, or its number from 1; empty for the first.
+/// @throws Error  for a camera that the scene lacks.
+void set_view(const GltfDocument& document, const GltfNodes& nodes, const std::string& chosen,
+              SceneDescription& scene);
 
 }  // namespace sunfleck::engine

@@ -88,7 +88,7 @@ public:
         const ObjFaceCounts counted = faces_.finish(mesh_);
         if (mesh_.triangles.empty()) refuse_without_faces();
         check_positions();
-        drop_broken_normals();
+        broken_normals_ = drop_broken_normals(mesh_);
         smooth(mesh_);
         add_remarks(counted);
         return std::move(mesh_);
@@ -230,18 +230,6 @@ private:
             if (is_used[vertex.index])
                 cursor_.fail(vertex.offset, "a vertex of a face is not finite, or too far away",
                              "export the part again without it");
-    }
-
-    void drop_broken_normals() {
-        const auto is_broken = [&](std::uint32_t n) {
-            return n == kNoIndex || !(mesh_.normals[n].length2() > 0);
-        };
-        for (ObjTriangle& t : mesh_.normal_corners) {
-            const bool has_some = t != ObjTriangle{kNoIndex, kNoIndex, kNoIndex};
-            if (!has_some || std::none_of(t.begin(), t.end(), is_broken)) continue;
-            t = {kNoIndex, kNoIndex, kNoIndex};
-            ++broken_normals_;
-        }
     }
 
     void add_remarks(const ObjFaceCounts& faces) {

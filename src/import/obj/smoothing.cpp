@@ -93,6 +93,22 @@ private:
 
 }  // namespace
 
+std::size_t drop_broken_normals(ObjMesh& mesh) {
+    constexpr ObjTriangle kNone = {kNoIndex, kNoIndex, kNoIndex};
+    const auto is_broken = [&](std::uint32_t n) {
+        if (n == kNoIndex) return true;
+        const float length2 = mesh.normals[n].length2();
+        return !(length2 > 0 && std::isfinite(length2));
+    };
+    std::size_t dropped = 0;
+    for (ObjTriangle& t : mesh.normal_corners) {
+        if (t == kNone || std::none_of(t.begin(), t.end(), is_broken)) continue;
+        t = kNone;
+        ++dropped;
+    }
+    return dropped;
+}
+
 void smooth(ObjMesh& mesh) {
     const bool has_groups = std::any_of(mesh.runs.begin(), mesh.runs.end(),
                                         [](const ObjRun& run) { return run.smoothing != 0; });

@@ -9,6 +9,13 @@
 #include <algorithm>
 
 namespace sunfleck::engine {
+namespace {
+
+std::string size_text(const Vec2i& size) {
+    return std::to_string(size.x) + " x " + std::to_string(size.y);
+}
+
+}  // namespace
 
 Image light_image(const Statement& statement, Reading& reading) {
     const auto name = statement.text("filename");
@@ -23,26 +30,31 @@ Image light_image(const Statement& statement, Reading& reading) {
     });
 }
 
-Image directions_image(const Statement& statement, Reading& reading) {
+EnvironmentImage environment_image(const Statement& statement, Reading& reading) {
     Image image = light_image(statement, reading);
-    const Vec2i size = image.resolution();
-    if (size.x != size.y)
-        throw Error(statement.find("filename")->where,
-                    "the image of a light has " + std::to_string(size.x) + " x " +
-                        std::to_string(size.y) +
-                        " texels, but an equal-area map of directions is square",
-                    "convert it, for example with pbrt-v4's imgtool makeequiarea");
-    return image;
-}
-
-std::shared_ptr<const LightImage> directions_light_image(const Statement& statement,
-                                                         Reading& reading) {
-    return std::make_shared<const LightImage>(directions_image(statement, reading));
+    const auto map = map_of_size(image.resolution());
+    const SourceLocation& where = statement.find("filename")->where;
+    if (!map)
+        throw Error(where,
+                    "the image of a light has " + size_text(image.resolution()) +
+                        " texels, but an equal-area map of directions is square, and one of "
+                        "latitude and longitude twice as wide as high",
+                    "use one of these");
+    if (!map->has_equal_areas())
+        reading.log.warn(where,
+                         "the picture is a map of latitude and longitude, which is taken as it is; "
+                         "pbrt-v4 wants an equal-area one");
+    return {std::move(image), *map};
 }
 
 std::shared_ptr<const LightImage> intensity_image(const Statement& statement, Reading& reading) {
-    const Image image = directions_image(statement, reading);
+    const Image image = light_image(statement, reading);
     const Vec2i& size = image.resolution();
+    if (size.x != size.y)
+        throw Error(statement.find("filename")->where,
+                    "the image of a light has " + size_text(size) +
+                        " texels, but an equal-area map of directions is square",
+                    "convert it, for example with pbrt-v4's imgtool makeequiarea");
     std::vector<float> means;
     for (int y = 0; y < size.y; ++y)
         for (int x = 0; x < size.x; ++x) {

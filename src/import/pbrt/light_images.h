@@ -3,6 +3,7 @@
 
 #include "geometry/affine.h"
 #include "import/pbrt/parameters.h"
+#include "light/direction_map.h"
 #include "light/light_image.h"
 
 #include <memory>
@@ -14,10 +15,16 @@ struct Reading;
 /// Returns the image "filename" of a light. @throws Error  for texels that are not finite.
 Image light_image(const Statement& statement, Reading& reading);
 
-/// Returns an image of all directions. @throws Error  also if it is not square.
-Image directions_image(const Statement& statement, Reading& reading);
-std::shared_ptr<const LightImage> directions_light_image(const Statement& statement,
-                                                         Reading& reading);
+/// An image of all directions.
+struct EnvironmentImage {
+    Image image;
+    DirectionMap map;
+};
+
+/// Returns the environment "filename" of a light. A map of latitude and longitude is told in a
+/// warning, for pbrt-v4 does not read it.
+/// @throws Error  also for an image that is neither square nor twice as wide as high.
+EnvironmentImage environment_image(const Statement& statement, Reading& reading);
 
 /// Returns an image of all directions with one channel: the mean of each texel's colours.
 std::shared_ptr<const LightImage> intensity_image(const Statement& statement, Reading& reading);

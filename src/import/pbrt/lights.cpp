@@ -3,10 +3,13 @@
 #include "import/pbrt/lights.h"
 
 #include "core/float_range.h"
+#include "import/pbrt/light_directions.h"
 #include "import/pbrt/light_images.h"
 #include "import/pbrt/light_scale.h"
+#include "import/pbrt/luminaire_lights.h"
 #include "import/pbrt/portals.h"
 #include "import/pbrt/reading.h"
+#include "import/pbrt/sky_lights.h"
 #include "import/pbrt/words.h"
 #include "math/trigonometry.h"
 
@@ -15,18 +18,6 @@
 
 namespace sunfleck::engine {
 namespace {
-
-/// Returns the unit vector from "from" to "to" in the world.
-Vec3d direction_of(const Statement& statement, const Matrix& to_world) {
-    const Vec3d way = statement.point("to", {0, 0, 1}) - statement.point("from", {0, 0, 0});
-    Vec3d direction;
-    to_world.multDirMatrix(way, direction);
-    const double length = direction.length();
-    if (!(length > 0))
-        throw Error(statement.where, "\"from\" and \"to\" of the light are the same point",
-                    "move one of them");
-    return direction / length;
-}
 
 Vec3d position_of(const Statement& statement, const Matrix& to_world) {
     const Vec3d position = statement.point("from", {0, 0, 0}) * to_world;
@@ -49,6 +40,7 @@ Light goniometric_light(const Statement& statement, Reading& reading) {
                          "a goniometric light without \"filename\" is read as a point light");
         return point_light(statement, reading);
     }
+    if (names_luminaire(statement)) return luminaire_light(statement, reading);
     const auto distribution = intensity_image(statement, reading);
     Affine to_world = turn_of(statement, reading);
     std::swap(to_world.y, to_world.z);
@@ -100,12 +92,13 @@ Light distant_light(const Statement& statement, Reading& reading) {
 }
 
 Light image_infinite_light(const Statement& statement, Reading& reading) {
-    const auto distribution = directions_light_image(statement, reading);
+    EnvironmentImage read = environment_image(statement, reading);
+    const auto distribution = image_of_directions(std::move(read.image), read.map);
     // pbrt-v4 sums 2 pi / texels per texel, half of the solid angle.
-    const double at_one = illuminance_from_above(*distribution) / 2;
+    const double at_one = illuminance_from_above(*distribution, read.map) / 2;
     return ImageInfiniteLight{
         scaled_emission(statement, Spectrum::d65(), {"illuminance", at_one}, distribution->peak()),
-        distribution, turn_of(statement, reading)};
+        distribution, turn_of(statement, reading), read.map};
 }
 
 Light infinite_light(const Statement& statement, Reading& reading) {
@@ -119,7 +112,12 @@ Light infinite_light(const Statement& statement, Reading& reading) {
                                          {"illuminance", kPiDouble})};
 }
 
-using Maker = Light (*)(const Statement&, Reading&);
+using Maker = std::vector<Light> (*)(const Statement&, Reading&);
+
+template <Light (*make)(const Statement&, Reading&)>
+std::vector<Light> one(const Statement& statement, Reading& reading) {
+    return {make(statement, reading)};
+}
 
 struct Row {
     std::string_view word;
@@ -129,13 +127,16 @@ struct Row {
 };
 
 constexpr auto kRows = std::to_array<Row>({
-    {"point", point_light, kExact, "`I`, `from`, `scale`, `power`"},
-    {"spot", spot_light, kExact,
+    {"point", one<point_light>, kExact, "`I`, `from`, `scale`, `power`"},
+    {"spot", one<spot_light>, kExact,
      "`I`, `from`, `to`, `coneangle`, `conedeltaangle`, `scale`, `power`"},
-    {"distant", distant_light, kExact, "`L`, `from`, `to`, `scale`, `illuminance`"},
-    {"infinite", infinite_light, kExact, "`L` or `filename`, `portal`, `scale`, `illuminance`"},
-    {"goniometric", goniometric_light, kExact, "`I`, `filename`, `scale`, `power`"},
-    {"projection", projection_light, kExact, "`filename`, `fov`, `scale`, `power`"},
+    {"distant", one<distant_light>, kExact, "`L`, `from`, `to`, `scale`, `illuminance`"},
+    {"infinite", one<infinite_light>, kExact,
+     "`L` or `filename`, `portal`, `scale`, `illuminance`"},
+    {"goniometric", one<goniometric_light>, kExact, "`I`, `filename`, `scale`, `power`"},
+    {"projection", one<projection_light>, kExact, "`filename`, `fov`, `scale`, `power`"},
+    {"sun", one<sun_light>, kOurs, "`L`, `angle`, `from`, `to`, `scale`, `illuminance`"},
+    {"sky", sky_lights, kOurs, "`azimuth`, `elevation`, `turbidity`, `groundalbedo`, `scale`"},
 });
 
 }  // namespace
@@ -161,11 +162,14 @@ void add_light(const Statement& statement, Reading& reading) {
                         : use_one_of(words_of(kRows), statement.type));
     }
     reading.log.count_word(statement.keyword, statement.type);
-    reading.scene.lights.push_back(row->maker(statement, reading));
-    reading.scene.stated_in.push_back(note_light(statement, reading));
+    const std::uint32_t stated_in = note_light(statement, reading);
     const MediumNumber around =
         reading.media.number_of(reading.state.outside_medium, statement.where);
-    reading.scene.media.at_lights.push_back({around, around});
+    for (Light& light : row->maker(statement, reading)) {
+        reading.scene.lights.push_back(std::move(light));
+        reading.scene.stated_in.push_back(stated_in);
+        reading.scene.media.at_lights.push_back({around, around});
+    }
     reading.log.warn_unused(statement);
 }
 

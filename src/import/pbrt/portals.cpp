@@ -5,7 +5,6 @@
 #include "import/pbrt/light_images.h"
 #include "import/pbrt/light_scale.h"
 #include "import/pbrt/reading.h"
-#include "math/warp.h"
 
 namespace sunfleck::engine {
 namespace {
@@ -57,19 +56,21 @@ Light portal_light(const Statement& statement, Reading& reading) {
             std::make_shared<const PortalImage>(kPlainSide, [](const Vec3d&) { return Vec3(1); });
         return light;
     }
-    const Image image = directions_image(statement, reading);
-    const LightImage distribution(image);
-    const double at_one = illuminance_from_above(distribution) / 2;
+    const auto [image, map] = environment_image(statement, reading);
+    const auto distribution = image_of_directions(image, map);
+    const double at_one = illuminance_from_above(*distribution, map) / 2;
     light.curve =
-        scaled_emission(statement, Spectrum::d65(), {"illuminance", at_one}, distribution.peak());
+        scaled_emission(statement, Spectrum::d65(), {"illuminance", at_one}, distribution->peak());
     const Affine turn = turn_of(statement, reading);
+    const Wraps wraps =
+        map.has_equal_areas() ? Wraps(Wrap::octahedral_sphere) : Wraps(Wrap::repeat, Wrap::clamp);
     const auto sky = [&](const Vec3d& w) {
         const Vec3d world = light.frame.vector(w);
         const Vec3d own(turn.x.dot(world), turn.y.dot(world), turn.z.dot(world));
-        const auto v = bilinear(image, Vec2(sphere_to_square(own)), Wrap::octahedral_sphere);
+        const auto v = bilinear(image, Vec2(map.place(own)), wraps);
         return image.channels() < 3 ? Vec3(v[0]) : Vec3(v[0], v[1], v[2]);
     };
-    light.image = std::make_shared<const PortalImage>(image.resolution().x, sky);
+    light.image = std::make_shared<const PortalImage>(image.resolution().y, sky);
     return light;
 }
 

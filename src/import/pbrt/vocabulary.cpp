@@ -40,6 +40,8 @@ std::string_view name_of(Treatment treatment) {
             return "ignored";
         case Treatment::refused:
             return "refused";
+        case Treatment::ours:
+            return "ours";
     }
     return "";
 }

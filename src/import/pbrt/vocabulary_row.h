@@ -11,13 +11,15 @@ enum class Treatment {
     exact,         // with the meaning of pbrt-v4
     approximated,  // replaced by something similar; a warning says so
     ignored,       // read without effect; a warning says so where the picture would differ
-    refused        // an error
+    refused,       // an error
+    ours           // a word that pbrt-v4 refuses
 };
 
 inline constexpr auto kExact = Treatment::exact;
 inline constexpr auto kApproximated = Treatment::approximated;
 inline constexpr auto kIgnored = Treatment::ignored;
 inline constexpr auto kRefused = Treatment::refused;
+inline constexpr auto kOurs = Treatment::ours;
 
 struct WordRow {
     std::string_view directive;  // "Shape"

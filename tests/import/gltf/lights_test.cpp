@@ -53,14 +53,5 @@ TEST_F(GltfLights, that_cannot_be_are_refused) {
     EXPECT_NE(fault_of(scene_of(R"("type":"point","intensity":1e40)")), "");
 }
 
-TEST_F(GltfLights, a_scene_without_any_has_a_white_sky_and_says_so) {
-    const SceneDescription scene =
-        read(R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)" + square_json());
-    ASSERT_EQ(scene.lights.size(), 1U);
-    EXPECT_TRUE(std::holds_alternative<InfiniteLight>(scene.lights[0]));
-    EXPECT_TRUE(warns(scene, "there is no light"));
-    EXPECT_FALSE(warns(read(scene_of(R"("type":"point")")), "there is no light"));
-}
-
 }  // namespace
 }  // namespace sunfleck::engine

@@ -26,6 +26,10 @@ protected:
     }
 };
 
+constexpr const char* kTwoTexels =
+    "iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAYAAAD0In+KAAAAEU"
+    "lEQVR42mP4z8Dwn6GBoQEADvwC/0yqyAQAAAAASUVORK5CYII=";
+
 TEST_F(GltfMaterial, that_is_missing_is_white_metal_of_roughness_one) {
     const SceneDescription scene =
         read(R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)" + square_json());
@@ -56,19 +60,27 @@ TEST_F(GltfMaterial, half_metal_is_a_mix) {
 
 /// A square is open: glass in it is a pane, solid or not.
 TEST_F(GltfMaterial, glass_of_an_open_surface_is_thin) {
-    const SceneDescription scene =
-        with(R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":1},
+    const SceneDescription scene = with(
+        R"("pbrMetallicRoughness":{"metallicFactor":0},"extensions":{"KHR_materials_transmission":{"transmissionFactor":1},
 "KHR_materials_volume":{"thicknessFactor":1}})");
     EXPECT_TRUE(std::holds_alternative<ThinDielectricMaterial>(material_of(scene)));
-    EXPECT_TRUE(warns(scene,
-                      "meshes[0].primitives[0]: warning: glass has a volume, but its "
-                      "surface is open: it is a thin pane"));
+    EXPECT_TRUE(warns(scene, "scene.gltf: warning: glass: 1 part open, so thin panes"));
+}
+
+/// Where a texture says metal, nothing passes.
+TEST_F(GltfMaterial, metal_is_no_glass) {
+    const std::string glass =
+        R"(},"extensions":{"KHR_materials_transmission":{"transmissionFactor":0.5}})";
+    const SceneDescription metal = with(R"("pbrMetallicRoughness":{"metallicFactor":1)" + glass);
+    EXPECT_TRUE(std::holds_alternative<ConductorMaterial>(material_of(metal)));
+    const SceneDescription both = with(R"("pbrMetallicRoughness":{"metallicFactor":0.6)" + glass);
+    EXPECT_NEAR(std::get<MixMaterial>(material_of(both)).amount.at({}), 0.2F, 1e-6F);
 }
 
 /// Indices of the lines d, F and C are those that Abbe's number was defined by.
 TEST_F(GltfMaterial, dispersion_is_cauchys_law) {
-    const SceneDescription scene =
-        with(R"("extensions":{"KHR_materials_transmission":{"transmissionFactor":1},
+    const SceneDescription scene = with(
+        R"("pbrMetallicRoughness":{"metallicFactor":0},"extensions":{"KHR_materials_transmission":{"transmissionFactor":1},
 "KHR_materials_ior":{"ior":1.6},"KHR_materials_dispersion":{"dispersion":0.5}})");
     const Spectrum& eta = std::get<ThinDielectricMaterial>(material_of(scene)).eta;
     const auto at = [&](float nm) { return static_cast<double>(eta(nm)); };
@@ -85,6 +97,71 @@ TEST_F(GltfMaterial, emission_is_in_nits) {
     EXPECT_FALSE(with("").shapes[0].emission);
 }
 
+/// Told once; and a setting goes before what wrote the file.
+TEST_F(GltfMaterial, emission_of_blender_is_in_watts) {
+    const std::string members =
+        scene_of(R"("emissiveFactor":[1,1,1],"extensions":{"KHR_materials_emissive_strength":
+{"emissiveStrength":5}})");
+    const std::string file =
+        written("blender.gltf",
+                R"({"asset":{"version":"2.0","generator":"Khronos glTF Blender I/O v3.4.50"},)" +
+                    members + "}");
+    const auto luminance = [&](const ImportSettings& settings) {
+        return read_gltf(file, settings).shapes.at(0).emission->radiance.luminance();
+    };
+    ImportSettings settings;
+    EXPECT_NEAR(luminance(settings), 5, 1e-3);
+    EXPECT_TRUE(warns(read_gltf(file),
+                      "materials[0]: warning: emission is taken in W/(sr m2), "
+                      "because \"Khronos glTF Blender I/O v3.4.50\" wrote"));
+    settings.emission_unit = EmissionUnit::nit;
+    EXPECT_NEAR(luminance(settings), 5.0 / 683, 1e-5);
+    EXPECT_FALSE(warns(read_gltf(file, settings), "emission is taken"));
+}
+
+TEST_F(GltfMaterial, variants_are_chosen_by_name) {
+    const std::string members =
+        R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"extensions":{"KHR_materials_variants":{"variants":[{"name":"day"},{"name":"night"}]}},
+"materials":[{},{"pbrMetallicRoughness":{"metallicFactor":0},"extensions":{"KHR_materials_transmission":{"transmissionFactor":1}}}],)" +
+        square_json(R"(,"material":0,"extensions":{"KHR_materials_variants":{"mappings":[
+{"material":0,"variants":[0]},{"material":1,"variants":[1]}]}})");
+    ImportSettings settings;
+    const auto is_glass = [&](const std::string& variant) {
+        settings.variant = variant;
+        return std::holds_alternative<ThinDielectricMaterial>(
+            material_of(read_gltf(gltf(members), settings)));
+    };
+    EXPECT_FALSE(is_glass(""));
+    EXPECT_FALSE(is_glass("day"));
+    EXPECT_TRUE(is_glass("night"));
+    try {
+        is_glass("dusk");
+        FAIL() << "there is no such variant";
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what())
+                      .find("has no variant \"dusk\" (--variant); write one of \"day\", \"night\""),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+/// A picture of 1.0 is 1 cd/m2.
+TEST_F(GltfMaterial, unlit_emits_its_colour_and_reflects_nothing) {
+    const SceneDescription scene = with(R"("extensions":{"KHR_materials_unlit":{}})");
+    EXPECT_NEAR(scene.shapes[0].emission->radiance.luminance(), 1.0 / 683, 1e-6);
+    EXPECT_TRUE(scene.shapes[0].emission->two_sided);
+    EXPECT_EQ(std::get<DiffuseMaterial>(material_of(scene)).reflectance.curve()(550), 0);
+}
+
+TEST_F(GltfMaterial, thin_glass_colours_what_passes) {
+    const SceneDescription scene = with(
+        R"("pbrMetallicRoughness":{"baseColorFactor":[0.2,0.4,0.6,1],"roughnessFactor":0,"metallicFactor":0},
+"extensions":{"KHR_materials_transmission":{"transmissionFactor":1}})");
+    expect_same(std::get<ThinDielectricMaterial>(material_of(scene)).colour.curve(),
+                Spectrum::rgb_albedo({0.2F, 0.4F, 0.6F}));
+}
+
 TEST_F(GltfMaterial, alpha_cuts_or_thins) {
     const auto cover = [&](const std::string& mode) {
         const SceneDescription scene =
@@ -99,6 +176,19 @@ TEST_F(GltfMaterial, alpha_cuts_or_thins) {
     EXPECT_EQ(fault_of(scene_of(R"("alphaMode":"HALF")")),
               "scene.gltf: materials[0].alphaMode: is no mode of alpha; write OPAQUE, MASK or "
               "BLEND");
+}
+
+/// Two texels, of alpha 255 and 128: it is no light, and sRGB says nothing of it.
+TEST_F(GltfMaterial, alpha_of_textures_is_linear) {
+    const SceneDescription scene = with(
+        R"("alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
+"textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,)" +
+        std::string(kTwoTexels) + R"("}],"others":[{)");
+    Hit hit;
+    hit.uv = Vec2(0.75F, 0.5F);
+    EXPECT_NEAR(scene.shapes.at(0).placed.cover(hit), 128 / 255.0F, 1e-3F);
+    hit.uv = Vec2(0.25F, 0.5F);
+    EXPECT_EQ(scene.shapes[0].placed.cover(hit), 1);
 }
 
 TEST_F(GltfMaterial, numbers_out_of_range_are_refused) {

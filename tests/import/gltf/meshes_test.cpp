@@ -19,8 +19,7 @@ protected:
         const Accessors accessors(document);
         const GltfNodes nodes(document, accessors);
         const JsonPlace mesh = document.root().elements("meshes").front();
-        const MeshPose pose =
-            pose_of(document, nodes, accessors, nodes.in_scene().front().place, mesh);
+        const MeshPose pose = pose_of(document, nodes, accessors, nodes.in_scene().front(), mesh);
         return triangles_of(accessors, mesh.elements("primitives").front(), pose, 0, warnings_);
     }
 

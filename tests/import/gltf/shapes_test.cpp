@@ -23,7 +23,7 @@ protected:
                R"(,"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":4},
 {"bufferView":0,"byteOffset":48,"componentType":5123,"type":"SCALAR","count":12}],
 "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"material":0}]}],
-"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,1,1,1],"roughnessFactor":0},
+"materials":[{"pbrMetallicRoughness":{"baseColorFactor":[0.5,1,1,1],"roughnessFactor":0,"metallicFactor":0},
 "extensions":{"KHR_materials_transmission":{"transmissionFactor":1})" +
                extensions + "}}]";
     }
@@ -40,6 +40,42 @@ TEST_F(GltfShape, glass_of_a_closed_surface_is_solid) {
     // A straight way of mean length has half of the red.
     const auto red = static_cast<float>(std::log(2) / kChord);
     expect_same(scene.media.absorption.at(1), Spectrum::rgb_unbounded({red, 0, 0}));
+}
+
+TEST_F(GltfShape, glass_is_what_it_is_told_to_be) {
+    const std::string open = [&] {
+        std::string closed = glass("");
+        const std::string count = R"("count":12)";
+        return closed.replace(closed.find(count), count.size(), R"("count":9)");
+    }();
+    const auto is_solid = [&](const std::string& members, GlassRule rule) {
+        ImportSettings settings;
+        settings.glass = rule;
+        const SceneDescription scene = read_gltf(gltf(members), settings);
+        EXPECT_EQ(testing_support::warns(scene, "(--glass"), rule == GlassRule::automatic);
+        return std::holds_alternative<DielectricMaterial>(
+            scene.materials[scene.shapes.at(0).material]);
+    };
+    EXPECT_TRUE(is_solid(glass(""), GlassRule::automatic));
+    EXPECT_FALSE(is_solid(glass(""), GlassRule::thin));
+    EXPECT_FALSE(is_solid(open, GlassRule::automatic));
+    EXPECT_TRUE(is_solid(open, GlassRule::solid));
+}
+
+/// A quarter turn of the direction in which u grows is that in which v grows.
+TEST_F(GltfShape, anisotropy_turns_the_tangents) {
+    const std::string bytes =
+        bytes_of<float>({0, 0, 0, 2, 0, 0, 0, 0, 3, /* v down */ 0, 1, 1, 1, 0, 0});
+    const SceneDescription scene =
+        read(R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)" + buffer_json(bytes) +
+             R"(,"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3},
+{"bufferView":0,"byteOffset":36,"componentType":5126,"type":"VEC2","count":3}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":1},"material":0}]}],
+"materials":[{"extensions":{"KHR_materials_anisotropy":{"anisotropyStrength":1,
+"anisotropyRotation":1.5707963267948966}}}])");
+    const auto& mesh = std::get<TriangleMesh>(scene.shapes.at(0).placed.shape);
+    ASSERT_EQ(mesh.tangents.size(), 3U);
+    EXPECT_LT((mesh.tangents[0] - Vec3(0, 0, 1)).length(), 1e-6F) << mesh.tangents[0];
 }
 
 TEST_F(GltfShape, volumes_absorb_by_beers_law) {

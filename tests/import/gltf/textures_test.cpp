@@ -31,7 +31,7 @@ protected:
 "holder":{"texture":{"index":0)" + info +
                                    "}}"));
         GltfTextures textures(document, warnings_);
-        return *textures.find(document.root().at("holder"), "texture", use, uv_set_);
+        return *textures.find(document.root().at("holder"), "texture", use, vertices_);
     }
     /// Returns the colour at a place of a mesh whose v goes up.
     static Vec3 at(const GltfTextures::Slot& slot, const Vec2& uv) {
@@ -39,7 +39,7 @@ protected:
     }
 
     Warnings warnings_;
-    std::optional<std::uint64_t> uv_set_;
+    GltfVertices vertices_;
 };
 
 TEST_F(GltfTexture, comes_from_files_and_data) {
@@ -71,10 +71,10 @@ TEST_F(GltfTexture, samplers_say_what_lies_beyond_the_edges) {
 /// By the extension's formula, in its own v: scaled, turned counter-clockwise, moved.
 TEST_F(GltfTexture, transforms_scale_turn_and_move) {
     png();
+    vertices_.own_set = 1;
     const auto turned = slot(R"("uri":"a.png")", TexelUse::colour,
                              R"(,"extensions":{"KHR_texture_transform":{"offset":[0.1,0.2],
 "rotation":1.5707963267948966,"scale":[2,3],"texCoord":1}})");
-    EXPECT_EQ(uv_set_, 1U);
     const Vec2 uv(0.3F, 0.4F);  // v down
     const Vec2 wanted(0.1F + 3 * uv.y, 0.2F - 2 * uv.x);
     const Vec2 found =
@@ -83,20 +83,21 @@ TEST_F(GltfTexture, transforms_scale_turn_and_move) {
     EXPECT_NEAR(1 - found.y, wanted.y, 1e-6F);
 }
 
-/// A mesh has one set of them.
-TEST_F(GltfTexture, of_other_coordinates_than_the_first_is_left_out) {
+/// Those of the mesh, and others by the vertices; what the mesh lacks is left out.
+TEST_F(GltfTexture, takes_the_coordinates_that_it_asks_for) {
     png();
     GltfDocument document(gltf(R"("images":[{"uri":"a.png"}],"textures":[{"source":0}],
-"holder":{"a":{"index":0,"texCoord":1},"b":{"index":0},"c":{"index":0,"texCoord":1}})"));
+"holder":{"a":{"index":0,"texCoord":1},"b":{"index":0},"c":{"index":0,"texCoord":2}})"));
     GltfTextures textures(document, warnings_);
+    vertices_.own_set = 1;
+    vertices_.triangles = std::make_shared<const VertexValues<Vec2>::Triangles>(1);
+    vertices_.other_sets[0] = std::make_shared<const std::vector<Vec2>>();
     const auto found = [&](const char* key) {
-        return textures.find(document.root().at("holder"), key, TexelUse::colour, uv_set_)
-            .has_value();
+        return textures.find(document.root().at("holder"), key, TexelUse::colour, vertices_);
     };
-    EXPECT_TRUE(found("a"));
-    EXPECT_FALSE(found("b"));
-    EXPECT_TRUE(found("c"));
-    EXPECT_EQ(uv_set_, 1U);
+    EXPECT_TRUE(std::holds_alternative<UvMapping>(found("a")->image.mapping));
+    EXPECT_TRUE(std::holds_alternative<VertexMapping>(found("b")->image.mapping));
+    EXPECT_FALSE(found("c"));
     EXPECT_EQ(warnings_.entries().size(), 1U);
 }
 
@@ -112,7 +113,8 @@ TEST_F(GltfTexture, times_a_colour_keeps_its_texels) {
 TEST_F(GltfTexture, without_an_image_that_can_be_read_is_left_out) {
     GltfDocument document(gltf(R"("textures":[{}],"holder":{"texture":{"index":0}})"));
     GltfTextures textures(document, warnings_);
-    EXPECT_FALSE(textures.find(document.root().at("holder"), "texture", TexelUse::colour, uv_set_));
+    EXPECT_FALSE(
+        textures.find(document.root().at("holder"), "texture", TexelUse::colour, vertices_));
     ASSERT_EQ(warnings_.entries().size(), 1U);
     EXPECT_NE(fault_of(R"("images":[{"uri":"gone.png"}],"textures":[{"source":0}])"), "");
 }

@@ -59,6 +59,30 @@ TEST(Lights, far_away_shine_from_from_to_to) {
     EXPECT_EQ(lit.direction, Vec3d(0, 0, 1));
 }
 
+TEST(Lights, from_a_sun_have_a_width) {
+    const auto sun = made<SunLight>(
+        "LightSource \"sun\" \"float angle\" 10 \"point3 from\" [ 0 0 2 ] \"point3 to\" [ 0 0 0 ] "
+        "\"float illuminance\" 3");
+    EXPECT_NEAR(value_of(sun.curve), 3, 1e-3);
+    EXPECT_EQ(sun.direction, Vec3d(0, 0, -1));
+    EXPECT_NEAR(1 - sun.versine, 0.9961947, 1e-6);  // cos 5 degrees
+    EXPECT_THROW(read_world("LightSource \"sun\" \"float angle\" 0"), Error);
+    EXPECT_THROW(read_world("LightSource \"sun\" \"float angle\" 200"), Error);
+}
+
+TEST(Lights, from_a_sky_are_two_of_one_statement) {
+    const SceneDescription scene = read_world(
+        "Rotate 90 1 0 0\nLightSource \"sky\" \"float azimuth\" 180 \"float elevation\" 90 "
+        "\"float scale\" 2");
+    ASSERT_EQ(scene.lights.size(), 2U);
+    EXPECT_EQ(scene.stated_in, (std::vector<std::uint32_t>{0, 0}));
+    const auto& sun = std::get<SunLight>(scene.lights[1]);
+    EXPECT_TRUE(sun.direction.equalWithAbsError({0, 1, 0}, 1e-12)) << sun.direction;
+    EXPECT_NEAR(683 * value_of(sun.curve), 2 * 81.6e3, 300);  // lux
+    EXPECT_THROW(read_world("LightSource \"sky\" \"float elevation\" -1"), Error);
+    EXPECT_THROW(read_world("LightSource \"sky\" \"float turbidity\" 11"), Error);
+}
+
 TEST(Lights, from_everywhere_have_a_radiance_or_illuminance) {
     EXPECT_NEAR(value_of(made<InfiniteLight>("LightSource \"infinite\"").curve), 1, 1e-4);
     EXPECT_NEAR(
@@ -172,9 +196,25 @@ TEST(Lights, that_are_black_stay_so_whatever_their_power) {
               "");
 }
 
+/// 683 cd are 1 W/sr.
+TEST(Lights, of_luminaires_have_the_candela_of_their_file) {
+    const MemoryFiles files = {
+        {"a.IES", "TILT=NONE\n1 -1 683 3 1 1 2 0 0 0\n1 1 0\n0 90 180\n0\n3 2 1\n"}};
+    const std::string light = "LightSource \"goniometric\" \"string filename\" \"a.IES\" ";
+    const auto lamp = std::get<GoniometricLight>(read_world(light, files).lights.at(0));
+    const auto brought = [&](const Vec3& point) {
+        return lamp.sample_direct(point, {}, {})->factor * value_of(lamp.curve);
+    };
+    EXPECT_NEAR(brought({0, 2, 0}), 1.0 / 4, 0.01) << "the zenith";
+    EXPECT_NEAR(brought({0, -2, 0}), 3.0 / 4, 0.01) << "the nadir";
+    const auto strong =
+        std::get<GoniometricLight>(read_world(light + "\"float power\" 7", files).lights.at(0));
+    EXPECT_NEAR(strong.power({}) * value_of(strong.curve), 7, 0.01);
+}
+
 TEST(Lights, that_cannot_be_are_errors) {
     for (const char* text :
-         {"LightSource \"sun\"", "LightSource \"diffuse\"", "AreaLightSource \"sphere\"",
+         {"LightSource \"moon\"", "LightSource \"diffuse\"", "AreaLightSource \"sphere\"",
           "LightSource \"point\" \"float scale\" -1",
           "LightSource \"distant\" \"point3 from\" [ 0 0 1 ]",
           "LightSource \"spot\" \"float coneangle\" 0",

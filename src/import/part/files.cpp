@@ -1,0 +1,67 @@
+// Names of other systems as paths of this one.
+#include "import/part/files.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace sunfleck::engine {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string with_slashes(std::string name) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    return name;
+}
+
+std::string path_of(const std::string& name, const std::string& beside) {
+    return (fs::path(beside).parent_path() / name).lexically_normal().string();
+}
+
+bool is_file(const std::string& path) {
+    std::error_code code;
+    return fs::is_regular_file(path, code);
+}
+
+/// Returns the place where a file of that name is, or where it should be.
+std::string found_path(const std::string& name, const std::string& beside) {
+    const std::string slashed = with_slashes(name);
+    for (const std::string& candidate :
+         {name, slashed, slashed.substr(slashed.rfind('/') + 1)})  // npos + 1 is 0
+        if (is_file(path_of(candidate, beside))) return path_of(candidate, beside);
+    return path_of(slashed, beside);
+}
+
+}  // namespace
+
+bool PartFiles::exists(const std::string& name, const std::string& beside) {
+    return is_file(path_of(name, beside)) || is_file(path_of(with_slashes(name), beside));
+}
+
+std::optional<PartFile> PartFiles::find(const std::string& name, const std::string& beside,
+                                        const SourceLocation& from) {
+    const std::string path = found_path(name, beside);
+    try {
+        PartFile file{path, read_input_file(path, from)};
+        if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
+        return file;
+    } catch (const MissingFile& missing) {
+        const auto is_it = [&](const MissingFile& known) { return known.path() == path; };
+        if (std::none_of(missing_.begin(), missing_.end(), is_it)) missing_.push_back(missing);
+        return std::nullopt;
+    }
+}
+
+void PartFiles::check_missing(const std::string& mend) const {
+    if (missing_.empty()) return;
+    std::string all;
+    for (const MissingFile& file : missing_) all += (all.empty() ? "" : "; ") + file.line();
+    const bool is_one = missing_.size() == 1;
+    throw Error({files_.front()},
+                (is_one ? "a file is missing: "
+                        : std::to_string(missing_.size()) + " files are missing: ") +
+                    all,
+                (is_one ? "put it there" : "put them there") + mend);
+}
+
+}  // namespace sunfleck::engine

@@ -1,0 +1,42 @@
+// What a material makes of the surfaces of a part.
+#pragma once
+
+#include "scene/description.h"
+
+#include <cstdint>
+#include <optional>
+
+namespace sunfleck::engine {
+
+/// A pixel of 1 is 1 cd/m2, and so is light (Ke) of 1.
+inline constexpr double kPartLumensPerWatt = 683;
+
+struct PartLook {
+    std::uint32_t material = 0;  // index into SceneDescription::materials; of glass, where solid
+    std::optional<AreaEmission> emission{};
+    Cover cover{};                        // null: opaque
+    std::optional<FloatTexture> alpha{};  // of `cover`, for emission
+    struct Glass {
+        std::uint32_t pane = 0;   // material where it is thin
+        Vec3d filter{1};          // what a straight way through lets pass, linear sRGB
+        MediumNumber medium = 0;  // within, if its absorption is known; 0 for none
+    };
+    std::optional<Glass> glass{};
+};
+
+/// Adds a material to a scene. @return its index.
+inline std::uint32_t add_material(SceneDescription& scene, Material material,
+                                  const BumpMap& bump_map = {}) {
+    scene.materials.push_back(std::move(material));
+    scene.bump_maps.resize(scene.materials.size());
+    scene.bump_maps.back() = bump_map;
+    return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+/// Adds a medium. @param absorption  per metre. @return its number.
+inline MediumNumber add_medium(SceneDescription& scene, const Spectrum& absorption) {
+    scene.media.absorption.push_back(absorption);
+    return static_cast<MediumNumber>(scene.media.absorption.size() - 1);
+}
+
+}  // namespace sunfleck::engine
