@@ -1,6 +1,8 @@
 // Refractive indices of named materials, against what their sources state.
 #include "material/substances.h"
 
+#include "material/named_materials.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
