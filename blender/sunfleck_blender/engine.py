@@ -14,7 +14,7 @@ from .program import ProgramFault, Render
 from .scene_text import SceneFault
 
 WAIT = 0.2  # seconds between looks at the program
-PATIENCE = 10, 120  # least and most seconds that an interrupted program may take for its last pass
+PATIENCE = 5, 30  # least and most seconds that an interrupted program may take for its last pass
 
 
 class Stopped(Exception):

@@ -14,6 +14,9 @@ LEFT_OUT = {"VOLUME": "volumes", "POINTCLOUD": "point clouds", "CURVES": "hair c
             "GPENCIL": "grease pencil", "GREASEPENCIL": "grease pencil"}
 
 
+RAYS = ("camera", "diffuse", "glossy", "transmission", "shadow")
+
+
 @dataclass
 class Placed:
     """One appearance of an object."""
@@ -75,6 +78,9 @@ class Objects:
         if not is_usable(matrix):
             self.warn(f'object "{name}" has no extent along an axis: left out')
             return
+        hidden = [ray for ray in RAYS if not getattr(found, f"visible_{ray}", True)]
+        if hidden:
+            self.warn(f'object "{name}" is hidden from {", ".join(hidden)} rays: it is seen by all')
         number = self._mesh_number(found, not is_mesh)
         if number is not None:
             slots = tuple(slot.material.original if slot.material else None
