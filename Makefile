@@ -8,7 +8,7 @@ FUZZ_SECONDS ?= 600
 N ?= 200
 SEED ?= 0
 
-.PHONY: demo test check browser mpi python install sanitize differential nightly bench tidy format \
+.PHONY: demo test check browser blender mpi python install sanitize differential nightly bench tidy format \
   clean deps build
 
 # Renders a glass of brandy in the sun into out/demo: two minutes of two cores.
@@ -24,12 +24,17 @@ test: build-tests
 
 # The quick ones.
 check: build-tests
-	$(CTEST) -LE "slow|nightly|browser|mpi"
+	$(CTEST) -LE "slow|nightly|browser|mpi|blender"
 
 # The page of `sunfleck compare` in Debian's Chromium; npm brings the driver from its registry.
 browser: build-tests
 	tools/setup.sh browser
 	$(CTEST) -L browser
+
+# The add-on inside Debian's Blender (1 GB); without it `test` skips these.
+blender: build-tests
+	tools/setup.sh blender
+	$(CTEST) -L blender
 
 # Several ranks under Open MPI, in a build of their own.
 mpi:

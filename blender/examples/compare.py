@@ -15,6 +15,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [HERE, os.path.dirname(HERE)]
 
 import scenes  # noqa: E402
+import shapes  # noqa: E402
 import sunfleck_blender  # noqa: E402
 from sunfleck_blender.picture_files import read_exr, to_bytes, to_srgb, write_png  # noqa: E402
 
@@ -94,22 +95,24 @@ def compare(name, folder, seconds, say):
     base = os.path.join(folder, name)
     scenes.SCENES[name]()
     cycles = render("CYCLES", base + "-cycles.exr", seconds)
-    ours = render("SUNFLECK", base + "-addon.exr", seconds)
+    whole = render("SUNFLECK", base + "-addon.exr", seconds)
     exposure = 0.35 / np.median(cycles.mean(axis=2))
     save_png(base + "-cycles.png", cycles, exposure)
-    save_png(base + "-addon.png", ours, exposure)
-    say(agreement(f"{name}, add-on over Cycles", cycles, ours))
-    gltf = render_gltf(base + "-gltf", seconds)
-    if gltf is not None:
-        gltf = gltf / LUMENS_PER_WATT
-        save_png(base + "-gltf.png", gltf, exposure)
-        say(agreement(f"{name}, glTF over add-on", ours, gltf))
+    save_png(base + "-addon.png", whole, exposure)
+    say(agreement(f"{name}, add-on over Cycles", cycles, whole))
     scenes.hide_caustics()
     cycles = render("CYCLES", base + "-plain-cycles.exr", seconds)
     ours = render("SUNFLECK", base + "-plain-addon.exr", seconds)
     save_png(base + "-plain-cycles.png", cycles, exposure)
     save_png(base + "-plain-addon.png", ours, exposure)
     say(agreement(f"{name} without glass and mirrors, add-on over Cycles", cycles, ours))
+    scenes.hide_caustics(False)
+    shapes.only_principled()
+    gltf = render_gltf(base + "-gltf", seconds)
+    if gltf is not None:
+        gltf = gltf / LUMENS_PER_WATT
+        save_png(base + "-gltf.png", gltf, exposure)
+        say(agreement(f"{name}, glTF over add-on", whole, gltf))
 
 
 def main(folder, seconds, names):

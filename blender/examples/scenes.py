@@ -125,8 +125,8 @@ SCENES = {"wine-glass": wine_glass, "jewels": jewels, "sunlit-room": sunlit_room
           "bottle-and-mirror": bottle_and_mirror}
 
 
-def hide_caustics():
-    """Hides what casts caustics: what is left meets no glass and no mirror."""
+def hide_caustics(hidden=True):
+    """Hides what casts caustics, or shows it again: what is left meets no glass and no mirror."""
     for thing in bpy.context.scene.objects:
         if "glass" in thing or "caustic" in thing:
-            thing.hide_render = True
+            thing.hide_render = hidden

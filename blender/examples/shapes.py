@@ -35,13 +35,11 @@ def material(name, kind, volume=None, **inputs):
 
 
 def diffuse(name, *colour):
-    """Returns a matt material; a Principled one, since the exporter of glTF knows no other."""
-    return material(name, "ShaderNodeBsdfPrincipled", Base_Color=(*colour, 1), Specular=0.0,
-                    Roughness=0.5)
+    return material(name, "ShaderNodeBsdfDiffuse", Color=(*colour, 1))
 
 
 def glass(name, ior=1.5, volume=None):
-    """Returns smooth glass, likewise."""
+    """Returns smooth glass."""
     return material(name, "ShaderNodeBsdfPrincipled", volume, Base_Color=(1, 1, 1, 1),
                     Transmission=1.0, Roughness=0.0, IOR=ior)
 
@@ -166,6 +164,24 @@ def textured(name, image):
     tree = made.node_tree
     node = tree.nodes.new("ShaderNodeTexImage")
     node.image = image
-    shader = next(n for n in tree.nodes if n.type == "BSDF_PRINCIPLED")
-    tree.links.new(node.outputs["Color"], shader.inputs["Base Color"])
+    shader = next(n for n in tree.nodes if n.type == "BSDF_DIFFUSE")
+    tree.links.new(node.outputs["Color"], shader.inputs["Color"])
     return made
+
+
+def only_principled():
+    """Makes diffuse shaders Principled without highlight: the exporter of glTF knows no others.
+
+    Cycles' Principled is no Lambertian, so pictures are compared before.
+    """
+    for made in bpy.data.materials:
+        tree = made.node_tree
+        for old in [n for n in tree.nodes if n.type == "BSDF_DIFFUSE"]:
+            new = tree.nodes.new("ShaderNodeBsdfPrincipled")
+            new.inputs["Specular"].default_value, new.inputs["Roughness"].default_value = 0, 0.5
+            new.inputs["Base Color"].default_value = old.inputs["Color"].default_value
+            for link in old.inputs["Color"].links:
+                tree.links.new(link.from_socket, new.inputs["Base Color"])
+            for link in old.outputs[0].links:
+                tree.links.new(new.outputs[0], link.to_socket)
+            tree.nodes.remove(old)
