@@ -82,11 +82,13 @@ def sunlit_room():
     placed("Right", box("Right", (x, -y, 0), (x + wall, y, z)), diffuse("Red", 0.6, 0.25, 0.2))
     # The left wall has a window.
     for name, low, high in (("Below", (-y, 0.0), (y, 0.8)), ("Above", (-y, 2.0), (y, z)),
-                            ("Beside 1", (-y, 0.8), (-0.3, 2.0)), ("Beside 2", (1.0, 0.8), (y, 2.0))):
-        placed(f"Left {name}", box(name, (-x - wall, low[0], low[1]), (-x, high[0], high[1])), white)
+                            ("Beside 1", (-y, 0.8), (-0.3, 2.0)),
+                            ("Beside 2", (1.0, 0.8), (y, 2.0))):
+        placed(f"Left {name}", box(name, (-x - wall, *low), (-x, *high)), white)
     of_glass(placed("Pane", box("Pane", (-x - 0.08, -0.3, 0.8), (-x - 0.07, 1.0, 2.0)),
                     glass("Window", 1.52)))
-    placed("Stool", box("Stool", (-0.25, 0.2, 0), (0.25, 0.7, 0.45)), diffuse("Wood", 0.45, 0.3, 0.15))
+    placed("Stool", box("Stool", (-0.25, 0.2, 0), (0.25, 0.7, 0.45)),
+           diffuse("Wood", 0.45, 0.3, 0.15))
     ball = lathe("Ball", [(0.16 * math.sin(math.pi * i / 48), -0.16 * math.cos(math.pi * i / 48))
                           if 0 < i < 48 else (0, -0.16 if i == 0 else 0.16) for i in range(49)])
     of_glass(placed("Ball", ball, glass("Crystal", 1.52), location=(0, 0.45, 0.612)))
@@ -111,7 +113,8 @@ def bottle_and_mirror():
     back = [(r, h - 0.004) for r, h in front]
     mirror = placed("Mirror", lathe("Mirror", back + list(reversed(front))),
                     material("Silver", "ShaderNodeBsdfPrincipled", Metallic=1.0,
-                             Base_Color=(0.95, 0.95, 0.95, 1), Roughness=0.0), location=(0.16, 0.09, 0.092))
+                             Base_Color=(0.95, 0.95, 0.95, 1), Roughness=0.0),
+                    location=(0.16, 0.09, 0.092))
     # It throws the spot's light on the table before it, near its focus.
     mirror.rotation_euler = (math.radians(91.4), 0, math.radians(-32.7))
     mirror["caustic"] = True

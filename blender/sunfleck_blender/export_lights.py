@@ -7,20 +7,22 @@ import numpy as np
 from . import picture_files, units
 from .matrices import turn_of
 from .scene_text import columns
+from .sockets import source
+from .textures import TextureReader
+from .values import is_flat, number
 
 SPOT_TEXELS = 256
 
 
-def write_light(text, folder, name, light, matrix, seen, warn):
+def write_light(text, images, name, light, matrix, seen, warn):
     """Writes one light.
 
-    matrix: its place. seen: whether lights of some size are objects that camera and mirrors see.
+    images: image_files.ImageFiles. matrix: its place. seen: whether lights of some size are objects
+    that camera and mirrors see.
     """
     def missing(what):
         warn(f'light "{name}": {what}')
-    if light.use_nodes and light.node_tree and _has_nodes(light):
-        missing("its nodes are not read: colour and power are its own")
-    colour = np.maximum(np.array(light.color[:3]), 0)
+    colour = np.maximum(np.array(light.color[:3]) * nodes_colour(light, images, missing), 0)
     if light.energy <= 0 or not colour.any():
         if light.energy < 0:
             missing("negative power: left out")
@@ -28,18 +30,27 @@ def write_light(text, folder, name, light, matrix, seen, warn):
     text.about(f"light {name}")
     text.begin()
     writer = {"POINT": _point, "SUN": _sun, "SPOT": _spot, "AREA": _area}[light.type]
-    writer(text, folder, name, light, matrix, colour, seen, missing)
+    writer(text, images.folder, name, light, matrix, colour, seen, missing)
     text.end()
 
 
-def _has_nodes(light):
-    """Returns whether a light's nodes say more than the one Emission that Blender puts there."""
-    kinds = sorted(node.type for node in light.node_tree.nodes)
-    if kinds != ["EMISSION", "OUTPUT_LIGHT"]:
-        return bool(kinds)
-    emission = next(n for n in light.node_tree.nodes if n.type == "EMISSION")
-    return tuple(emission.inputs[0].default_value[:3]) != (1, 1, 1) or \
-        emission.inputs[1].default_value != 1
+def nodes_colour(light, images, missing):
+    """Returns by what a light's nodes multiply its colour: the mean of its Emission node."""
+    if not light.use_nodes or light.node_tree is None:
+        return np.ones(3)
+    output = next((n for n in light.node_tree.nodes if n.type == "OUTPUT_LIGHT"), None)
+    origin = output and source(output.inputs["Surface"])
+    if not origin:
+        return np.zeros(3)
+    node, _, groups = origin
+    if node.type != "EMISSION":
+        missing(f'node "{node.bl_label}" of a light: left out')
+        return np.ones(3)
+    reader = TextureReader(images, missing)
+    colour, strength = (reader.input(node, name, groups) for name in ("colour", "strength"))
+    if not (is_flat(colour) and is_flat(strength)):
+        missing("textures of a light: their means count")
+    return colour.mean() * number(strength)
 
 
 def _point(text, folder, name, light, matrix, colour, seen, missing):

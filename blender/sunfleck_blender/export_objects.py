@@ -63,7 +63,7 @@ class Objects:
                 self.warn(f'light "{name}" has no extent along an axis, or no place: left out')
                 return
             export_lights.write_light(
-                self.text, self.folder, name, found.data, matrix,
+                self.text, self.book.images, name, found.data, matrix,
                 getattr(getattr(found.data, "sunfleck", None), "seen", True), self.warn)
             return
         if found.type in LEFT_OUT:

@@ -121,8 +121,8 @@ def _sky(reader, node):
         reader.missing("coordinates of a sky texture: it is not turned")
     azimuth, elevation = skies.sun_of(node)
     if node.sky_type == "NISHITA" and node.sun_disc and elevation >= 0:
-        reader.missing("Nishita's sky is rendered as that of Hosek and Wilkie, with its sun of half "
-                       "a degree; air, dust, ozone and the sun's size do not count")
+        reader.missing("Nishita's sky is rendered as that of Hosek and Wilkie, with its sun of "
+                       "half a degree; air, dust, ozone and the sun's size do not count")
         return Daylight({"float azimuth": azimuth, "float elevation": min(elevation, 90)})
     reader.missing("a sky texture without a sun is rendered as Preetham's, about as bright")
     turbidity = 3 if node.sky_type == "NISHITA" else node.turbidity

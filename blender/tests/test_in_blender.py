@@ -269,6 +269,28 @@ class Materials(Case):
         index = float(re.search(r'"spectrum eta" \[ 360 .* 590 (\S+) 600', text)[1])
         self.assertAlmostEqual(index, 2.417, delta=2e-3)
 
+    def test_nodes_of_lights_multiply_their_colour(self):
+        lamp = bpy.data.lights.new("Lamp", "POINT")
+        lamp.energy, lamp.shadow_soft_size, lamp.use_nodes = 4 * math.pi, 0, True
+        emission = next(n for n in lamp.node_tree.nodes if n.type == "EMISSION")
+        np.testing.assert_allclose(self.intensity(lamp), 1, rtol=1e-6)
+        emission.inputs["Strength"].default_value = 3
+        black_body = lamp.node_tree.nodes.new("ShaderNodeBlackbody")
+        black_body.inputs[0].default_value = 2700
+        lamp.node_tree.links.new(black_body.outputs[0], emission.inputs["Color"])
+        red, green, blue = self.intensity(lamp)
+        self.assertTrue(red > 3 > blue, (red, green, blue))
+        self.assertEqual(self.warnings, [])
+
+    def intensity(self, lamp):
+        """Exports a scene with this lamp alone, and returns its intensity."""
+        for thing in [o for o in bpy.context.scene.objects if o.type == "LIGHT"]:
+            bpy.data.objects.remove(thing)
+        bpy.context.scene.collection.objects.link(bpy.data.objects.new("Lamp", lamp))
+        text, _ = self.export()
+        found = re.search(r'"rgb I" \[ (\S+) (\S+) (\S+) \]', text)
+        return [float(value) for value in found.groups()]
+
     def test_every_shader_of_the_table_is_read(self):
         for kind in ("Principled", "Diffuse", "Glossy", "Anisotropic", "Glass", "Refraction",
                      "Translucent", "Transparent", "Velvet", "Toon"):
