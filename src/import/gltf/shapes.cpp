@@ -96,8 +96,10 @@ void GltfShapes::add_glass(const Part& part, const std::vector<bool>& closed,
     const bool all_closed = std::all_of(closed.begin(), closed.end(), [](bool c) { return c; });
     std::vector<bool> solid = closed;
     if (rule_ != GlassRule::automatic) solid.assign(closed.size(), rule_ == GlassRule::solid);
-    // Values of vertices are looked up by the number of a triangle: such a part stays whole.
-    if (part.look->is_of_vertices && rule_ == GlassRule::automatic && !all_closed)
+    // Alpha cuts holes. Values of vertices are looked up by the number of a triangle: such a part
+    // stays whole.
+    const bool stays_whole = part.look->is_of_vertices && !all_closed;
+    if (rule_ == GlassRule::automatic && (stays_whole || part.look->cover))
         solid.assign(closed.size(), false);
     std::vector<bool> thin = solid;
     thin.flip();

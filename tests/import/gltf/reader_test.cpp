@@ -34,8 +34,7 @@ TEST_F(GltfReader, used_extensions_that_are_not_read_are_named) {
     const SceneDescription scene =
         read(R"("extensionsUsed":["KHR_materials_sheen","KHR_materials_ior","KHR_xmp"])");
     EXPECT_TRUE(warns(scene, "the extension KHR_materials_sheen is not read"));
-    EXPECT_FALSE(warns(scene, "KHR_xmp"));
-    EXPECT_FALSE(warns(scene, "KHR_materials_ior"));
+    EXPECT_FALSE(warns(scene, "KHR_xmp") || warns(scene, "KHR_materials_ior"));
 }
 
 /// A mirrored node keeps its outside out.
@@ -104,14 +103,14 @@ TEST_F(GltfSample, simple_instancing_places_one_box_125_times) {
     EXPECT_EQ(scene.instances.size(), 125U);
 }
 
-/// Balls and check marks show their outside, whatever mirrors their nodes. Above them are marks
-/// that a viewer which culls does not see; we see surfaces from both sides.
+/// Balls show their outside, whatever mirrors their nodes. Above them are marks that a viewer which
+/// culls does not see; we see surfaces from both sides.
 TEST_F(GltfSample, negative_scales_keep_their_facing) {
     const Probed scene(sample("NegativeScaleTest/NegativeScaleTest.glb"));
     int seen = 0;
     int turned = 0;
     for (int x = -40; x <= 40; ++x)
-        for (int y = -50; y <= 26; ++y) {
+        for (int y = -50; y <= 5; ++y) {
             const auto hit = scene.hit({x * 0.08 + 0.003, y * 0.08 + 0.002, 20}, {0, 0, -1});
             if (!hit) continue;
             ++seen;
@@ -230,9 +229,28 @@ TEST_F(GltfSample, glass_is_glass) {
     EXPECT_EQ(
         count("TransmissionRoughnessTest/TransmissionRoughnessTest.gltf", DielectricMaterial()), 5U)
         << "one row an index";
-    EXPECT_EQ(count("GlassBrokenWindow/GlassBrokenWindow.gltf", ThinDielectricMaterial()), 1U);
     EXPECT_EQ(count("IridescenceSuzanne/IridescenceSuzanne.gltf", IridescentConductorMaterial()),
               1U);
+}
+
+/// Alpha cuts holes into the pane, in its middle and nowhere near its edges.
+TEST_F(GltfSample, broken_window_has_holes) {
+    const SceneDescription description = sample("GlassBrokenWindow/GlassBrokenWindow.gltf");
+    const Bounds bounds = bounds_of(description.shapes.at(1).placed);
+    const Vec3d size = bounds.max - bounds.min;
+    const Probed scene(description);
+    const auto is_hole = [&](double x, double y) {
+        const Vec3d from = bounds.center() + Vec3d(x * size.x, y * size.y, 9);
+        return !scene.hit(from, {0, 0, -1});
+    };
+    int holes = 0;
+    for (int x = -10; x <= 10; ++x)
+        for (int y = -10; y <= 10; ++y) holes += is_hole(x * 0.02, y * 0.02) ? 1 : 0;
+    EXPECT_GT(holes, 10);
+    for (const double side : {-0.4, 0.4}) {
+        EXPECT_FALSE(is_hole(side, 0.1));
+        EXPECT_FALSE(is_hole(0.1, side));
+    }
 }
 
 /// Follows a ray of one wavelength by Snell's law. @return  where it meets a surface of no glass.

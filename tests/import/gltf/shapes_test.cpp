@@ -60,6 +60,9 @@ TEST_F(GltfShape, glass_is_what_it_is_told_to_be) {
     EXPECT_FALSE(is_solid(glass(""), GlassRule::thin));
     EXPECT_FALSE(is_solid(open, GlassRule::automatic));
     EXPECT_TRUE(is_solid(open, GlassRule::solid));
+    std::string cut = glass("");
+    cut.insert(cut.find(R"("pbrMetallic)"), R"("alphaMode":"MASK",)");
+    EXPECT_FALSE(is_solid(cut, GlassRule::automatic)) << "alpha makes holes";
 }
 
 /// A quarter turn of the direction in which u grows is that in which v grows.
