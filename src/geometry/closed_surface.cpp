@@ -141,7 +141,8 @@ private:
     }
 
     Vec3d corner(std::uint32_t t, std::size_t k) const {
-        return Vec3d(positions_[triangles_[t].at(k)]);
+        const Vec3& p = positions_[triangles_[t].at(k)];
+        return {p.x, p.y, p.z};
     }
 
     void collect(const std::vector<bool>& is_closed) {
@@ -195,13 +196,13 @@ private:
     /// Returns whether a ray from the point upwards, at a slant that no edge shares, meets a
     /// triangle.
     bool is_above(const Vec3d& point, std::uint32_t t) const {
-        static const Vec3d kRay(0.01234567, 0.00345678, 1);
+        static const Vec3d ray(0.01234567, 0.00345678, 1);
         const Vec3d a = corner(t, 0) - point;
         const Vec3d b = corner(t, 1) - point;
         const Vec3d c = corner(t, 2) - point;
-        const double u = kRay.dot(b.cross(c));
-        const double v = kRay.dot(c.cross(a));
-        const double w = kRay.dot(a.cross(b));
+        const double u = ray.dot(b.cross(c));
+        const double v = ray.dot(c.cross(a));
+        const double w = ray.dot(a.cross(b));
         if ((u < 0) != (v < 0) || (v < 0) != (w < 0)) return false;
         const double sum = u + v + w;
         return sum != 0 && a.dot(b.cross(c)) / sum > 0;

@@ -84,16 +84,16 @@ struct Colour {
 };
 
 const std::array<Colour, 9>& colours() {
-    static const std::array<Colour, 9> kColours = {{{"white", {0.8F, 0.8F, 0.8F}},
-                                                    {"grey", {0.3F, 0.3F, 0.3F}},
-                                                    {"black", {0.02F, 0.02F, 0.02F}},
-                                                    {"red", {0.52F, 0.03F, 0.02F}},
-                                                    {"orange", {0.75F, 0.2F, 0.02F}},
-                                                    {"yellow", {0.78F, 0.52F, 0.03F}},
-                                                    {"green", {0.05F, 0.3F, 0.08F}},
-                                                    {"blue", {0.03F, 0.1F, 0.45F}},
-                                                    {"brown", {0.2F, 0.09F, 0.04F}}}};
-    return kColours;
+    static const std::array<Colour, 9> all = {{{"white", {0.8F, 0.8F, 0.8F}},
+                                               {"grey", {0.3F, 0.3F, 0.3F}},
+                                               {"black", {0.02F, 0.02F, 0.02F}},
+                                               {"red", {0.52F, 0.03F, 0.02F}},
+                                               {"orange", {0.75F, 0.2F, 0.02F}},
+                                               {"yellow", {0.78F, 0.52F, 0.03F}},
+                                               {"green", {0.05F, 0.3F, 0.08F}},
+                                               {"blue", {0.03F, 0.1F, 0.45F}},
+                                               {"brown", {0.2F, 0.09F, 0.04F}}}};
+    return all;
 }
 
 /// Returns the words between colons.
@@ -122,6 +122,7 @@ std::string use_nearest(std::string_view name) {
     constexpr std::size_t kShown = 3;
     constexpr std::size_t kLongest = 60;
     std::vector<std::string_view> names;
+    names.reserve(kNames.size());
     for (const MaterialName& row : kNames) names.push_back(row.name);
     const std::string_view given = name.substr(0, kLongest);
     std::stable_sort(names.begin(), names.end(), [&](std::string_view a, std::string_view b) {
@@ -194,12 +195,13 @@ std::span<const MaterialName> material_names() {
 }
 
 std::span<const std::string_view> colour_names() {
-    static const std::vector<std::string_view> kAll = [] {
+    static const std::vector<std::string_view> all = [] {
         std::vector<std::string_view> names;
+        names.reserve(colours().size());
         for (const Colour& colour : colours()) names.push_back(colour.name);
         return names;
     }();
-    return kAll;
+    return all;
 }
 
 NamedMaterial named_material(std::string_view text, const SourceLocation& where) {

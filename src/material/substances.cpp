@@ -45,6 +45,7 @@ template <std::size_t Columns, std::size_t Rows>
 std::vector<TabulatedSpectrum::Point> column(
     const std::array<std::array<double, Columns>, Rows>& table, std::size_t number) {
     std::vector<TabulatedSpectrum::Point> points;
+    points.reserve(Rows);
     for (const auto& row : table)
         points.push_back({static_cast<float>(row[0]), static_cast<float>(row.at(number))});
     return points;

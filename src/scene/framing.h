@@ -37,7 +37,7 @@ public:
     void add(const Vec3d& point);
     /// Adds all corners of a box. @param box  not empty.
     void add(const Bounds& box);
-    /// @param least  distance at least. At least one point must have been added.
+    /// @param least  distance from `near` at least. Some point must have been added.
     PerspectiveCamera camera(double least = 1e-6) const;
 
 private:

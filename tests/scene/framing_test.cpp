@@ -57,7 +57,7 @@ TEST(Framing, fills_the_picture_with_a_box_and_no_more) {
 }
 
 TEST(Framing, sees_a_point_from_some_way_off) {
-    FramedView view({}, {100, 100}, Vec3d(0));
+    FramedView view({}, {100, 100}, Vec3d(1));
     view.add(Vec3d(1));
     const PerspectiveCamera camera = view.camera(0.5);
     EXPECT_NEAR(place_in(camera, Vec3d(1)).length(), 0, 1e-9);

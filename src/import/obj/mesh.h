@@ -33,6 +33,7 @@ struct ObjMesh {
     std::vector<Vec3d> positions;
     std::vector<Vec2> uvs;                    // finite
     std::vector<Vec3> normals;                // finite, not zero
+    std::vector<Vec3> colours;                // per position, or empty; in [0,1], as stored
     std::vector<ObjTriangle> triangles;       // indices of positions
     std::vector<ObjTriangle> uv_corners;      // of uvs, per triangle; kNoIndex without; or empty
     std::vector<ObjTriangle> normal_corners;  // of normals, likewise; all three or none

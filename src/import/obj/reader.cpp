@@ -7,6 +7,7 @@
 #include "core/text_cursor.h"
 #include "import/obj/faces.h"
 #include "import/obj/smoothing.h"
+#include "import/obj/statements.h"
 
 #include <algorithm>
 #include <array>
@@ -15,58 +16,6 @@
 
 namespace sunfleck::engine {
 namespace {
-
-enum class Statement {
-    vertex,
-    uv,
-    normal,
-    face,
-    material,
-    library,
-    smoothing,
-    points,
-    lines,
-    surfaces,
-    ignored,  // changes no picture
-    unknown
-};
-
-struct StatementRow {
-    std::string_view word;
-    Statement statement;
-};
-
-constexpr auto kStatements = std::to_array<StatementRow>({
-    {"v", Statement::vertex},          {"vt", Statement::uv},
-    {"vn", Statement::normal},         {"f", Statement::face},
-    {"fo", Statement::face},           {"usemtl", Statement::material},
-    {"mtllib", Statement::library},    {"s", Statement::smoothing},
-    {"p", Statement::points},          {"l", Statement::lines},
-    {"vp", Statement::surfaces},       {"cstype", Statement::surfaces},
-    {"deg", Statement::surfaces},      {"bmat", Statement::surfaces},
-    {"step", Statement::surfaces},     {"curv", Statement::surfaces},
-    {"curv2", Statement::surfaces},    {"surf", Statement::surfaces},
-    {"parm", Statement::surfaces},     {"trim", Statement::surfaces},
-    {"hole", Statement::surfaces},     {"scrv", Statement::surfaces},
-    {"sp", Statement::surfaces},       {"end", Statement::surfaces},
-    {"con", Statement::surfaces},      {"bzp", Statement::surfaces},
-    {"bsp", Statement::surfaces},      {"cdc", Statement::surfaces},
-    {"cdp", Statement::surfaces},      {"res", Statement::surfaces},
-    {"ctech", Statement::surfaces},    {"stech", Statement::surfaces},
-    {"g", Statement::ignored},         {"o", Statement::ignored},
-    {"mg", Statement::ignored},        {"bevel", Statement::ignored},
-    {"c_interp", Statement::ignored},  {"d_interp", Statement::ignored},
-    {"lod", Statement::ignored},       {"shadow_obj", Statement::ignored},
-    {"trace_obj", Statement::ignored}, {"maplib", Statement::ignored},
-    {"usemap", Statement::ignored},
-});
-
-Statement statement_of(std::string_view word) {
-    const auto* const found =
-        std::find_if(kStatements.begin(), kStatements.end(),
-                     [&](const StatementRow& row) { return row.word == word; });
-    return found == kStatements.end() ? Statement::unknown : found->statement;
-}
 
 /// An element whose numbers are not finite, and its place in the text.
 struct Broken {
@@ -88,6 +37,7 @@ public:
         const ObjFaceCounts counted = faces_.finish(mesh_);
         if (mesh_.triangles.empty()) refuse_without_faces();
         check_positions();
+        finish_colours();
         broken_normals_ = drop_broken_normals(mesh_);
         smooth(mesh_);
         add_remarks(counted);
@@ -97,32 +47,32 @@ public:
 private:
     void read_statement(std::string_view word) {
         switch (statement_of(word)) {
-            case Statement::vertex:
+            case ObjStatement::vertex:
                 return read_vertex();
-            case Statement::uv:
+            case ObjStatement::uv:
                 return read_uv();
-            case Statement::normal:
+            case ObjStatement::normal:
                 return read_normal();
-            case Statement::face:
+            case ObjStatement::face:
                 return read_face();
-            case Statement::material:
+            case ObjStatement::material:
                 return read_material();
-            case Statement::library:
+            case ObjStatement::library:
                 return read_library();
-            case Statement::smoothing:
+            case ObjStatement::smoothing:
                 return read_smoothing();
-            case Statement::points:
+            case ObjStatement::points:
                 ++points_;
                 return;
-            case Statement::lines:
+            case ObjStatement::lines:
                 ++lines_;
                 return;
-            case Statement::surfaces:
+            case ObjStatement::surfaces:
                 ++surfaces_;
                 return;
-            case Statement::ignored:
+            case ObjStatement::ignored:
                 return;
-            case Statement::unknown:
+            case ObjStatement::unknown:
                 if (unknown_++ == 0) first_unknown_ = in_quotes(word, 40);
         }
     }
@@ -157,9 +107,32 @@ private:
         mesh_.positions.push_back(p);
         if (cursor_.at_line_end()) return;
         const double fourth = cursor_.number("a weight or a colour");
-        const bool has_colour = !cursor_.at_line_end();
-        coloured_ += has_colour ? 1 : 0;
-        weighted_ += !has_colour && fourth != 1 ? 1 : 0;
+        if (cursor_.at_line_end())
+            weighted_ += fourth != 1 ? 1 : 0;
+        else
+            read_colour(fourth);
+    }
+
+    /// Vertices before the first with a colour are white, as those are that have none.
+    void read_colour(double red) {
+        const double green = cursor_.number("a colour");
+        const double blue = cursor_.number("a colour");
+        mesh_.colours.resize(mesh_.positions.size(), Vec3(1));
+        const Vec3d colour(red, green, blue);
+        for (int c = 0; c < 3; ++c)
+            mesh_.colours.back()[c] =
+                colour[c] > 0 ? static_cast<float>(std::min(colour[c], 255.0)) : 0;
+    }
+
+    /// Some writers have bytes.
+    void finish_colours() {
+        if (mesh_.colours.empty()) return;
+        mesh_.colours.resize(mesh_.positions.size(), Vec3(1));
+        const bool are_bytes =
+            std::any_of(mesh_.colours.begin(), mesh_.colours.end(),
+                        [](const Vec3& c) { return c.x > 1 || c.y > 1 || c.z > 1; });
+        if (are_bytes)
+            for (Vec3& colour : mesh_.colours) colour /= 255;
     }
 
     void read_uv() {
@@ -244,7 +217,6 @@ private:
         remark(points_, "points are left out");
         remark(lines_, "lines are left out");
         remark(surfaces_, "statements of curves and surfaces are left out");
-        remark(coloured_, "colours of vertices are left out");
         remark(weighted_, "weights of vertices other than 1 are left out");
         remark(broken_normals_, "triangles whose normals are zero or not finite are flat");
         remark(broken_uvs_, "texture coordinates that are not finite became (0, 0)");
@@ -262,7 +234,6 @@ private:
     std::size_t points_ = 0;
     std::size_t lines_ = 0;
     std::size_t surfaces_ = 0;
-    std::size_t coloured_ = 0;
     std::size_t weighted_ = 0;
     std::size_t broken_uvs_ = 0;
     std::size_t broken_normals_ = 0;

@@ -10,9 +10,9 @@
 
 namespace sunfleck::engine {
 
-/// Reads v, vt, vn, f, s, usemtl and mtllib; indices may be negative, or name what comes later in
-/// the file. Polygons become triangles: convex ones a fan, concave ones by cutting off ears. Each
-/// of the following gives a remark: colours and weights of vertices, points, lines, curves and
+/// Reads v with colours, vt, vn, f, s, usemtl and mtllib; indices may be negative, or name what
+/// comes later in the file. Polygons become triangles: convex ones a fan, concave ones by cutting
+/// off ears. Each of the following gives a remark: weights of vertices, points, lines, curves and
 /// surfaces, and unknown statements are left out; faces of fewer than three corners and triangles
 /// with two corners at one vertex are left out; normals that are none leave their triangles flat;
 /// texture coordinates that are not finite become (0, 0).

@@ -13,6 +13,7 @@ inline constexpr double kPartLumensPerWatt = 683;
 
 struct PartLook {
     std::uint32_t material = 0;  // index into SceneDescription::materials; of glass, where solid
+    bool takes_vertex_colours = false;  // matt: each shape has a material of its own
     std::optional<AreaEmission> emission{};
     Cover cover{};                        // null: opaque
     std::optional<FloatTexture> alpha{};  // of `cover`, for emission

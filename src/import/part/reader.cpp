@@ -15,6 +15,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <utility>
@@ -49,6 +50,7 @@ ObjMesh as_obj(PlyMesh ply) {
     mesh.remarks = std::move(ply.remarks);
     mesh.uvs = std::move(ply.uvs);
     if (!mesh.uvs.empty()) mesh.uv_corners = mesh.triangles;
+    mesh.colours = std::move(ply.colours);
     mesh.normals = std::move(ply.normals);
     if (mesh.normals.empty()) return mesh;
     mesh.normal_corners = mesh.triangles;
@@ -78,6 +80,7 @@ public:
               PartPictures& pictures, const ImportSettings& settings)
         : scene_(scene),
           names_(mesh.materials),
+          has_colours_(!mesh.colours.empty()),
           libraries_(libraries),
           pictures_(pictures),
           settings_(settings) {}
@@ -86,6 +89,11 @@ public:
         const auto known = looks_.find(index);
         if (known != looks_.end()) return known->second;
         return looks_.emplace(index, made(index)).first->second;
+    }
+
+    bool take_vertex_colours() const {
+        return std::any_of(looks_.begin(), looks_.end(),
+                           [](const auto& look) { return look.second.takes_vertex_colours; });
     }
 
 private:
@@ -101,6 +109,14 @@ private:
     }
 
     PartLook usual_look() {
+        if (settings_.material.empty() && has_colours_) {
+            scene_.warnings.add({scene_.path},
+                                "there is no material: the colours of its vertices are used, matt "
+                                "(--material)");
+            PartLook look;
+            look.takes_vertex_colours = true;
+            return look;
+        }
         if (settings_.material.empty())
             scene_.warnings.add({scene_.path},
                                 "there is no material: light grey plastic is used (--material)");
@@ -119,6 +135,7 @@ private:
 
     SceneDescription& scene_;
     std::vector<ObjName> names_;
+    bool has_colours_;  // of vertices
     const PartLibraries& libraries_;
     PartPictures& pictures_;
     const ImportSettings& settings_;
@@ -172,6 +189,8 @@ SceneDescription read_part(const std::string& path, const ImportSettings& settin
     // All looks first: they name files, of which all that are missing are told at once.
     for (const ObjRun& run : mesh.runs) looks(run.material);
     libraries.check_missing(files, settings, scene.warnings);
+    if (!mesh.colours.empty() && !looks.take_vertex_colours())
+        scene.warnings.add({path}, "colours of vertices are left out: it has a material");
     add_part_shapes(scene, std::move(mesh), {metres_per_unit(path, settings), settings.glass},
                     [&](std::uint32_t index) -> const PartLook& { return looks(index); });
     const Bounds bounds = bounds_of_scene(scene);

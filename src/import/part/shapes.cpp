@@ -4,6 +4,7 @@
 #include "geometry/closed_surface.h"
 #include "geometry/middle.h"
 #include "geometry/weld.h"
+#include "image/srgb.h"
 
 #include <algorithm>
 #include <cmath>
@@ -44,6 +45,7 @@ public:
         for (const Vertex& vertex : vertices_) first_[vertex.corner.position] = kNoIndex;
         vertices_.clear();
         made_ = {};
+        colours_ = {};
         has_normals_ = has_normals;
     }
 
@@ -60,6 +62,8 @@ public:
         made_.triangles.push_back(triangle);
     }
     TriangleMesh finished() { return std::move(made_); }
+    /// Returns linear RGB of the vertices, if the part has colours.
+    std::vector<Vec3> colours() { return std::move(colours_); }
 
 private:
     struct Vertex {
@@ -79,6 +83,9 @@ private:
         }
         if (!mesh_.uv_corners.empty())
             made_.uvs.push_back(corner.uv == kNoIndex ? Vec2(0) : mesh_.uvs[corner.uv]);
+        if (mesh_.colours.empty()) return;
+        const Vec3& colour = mesh_.colours[corner.position];
+        colours_.emplace_back(srgb_decode(colour.x), srgb_decode(colour.y), srgb_decode(colour.z));
     }
 
     const ObjMesh& mesh_;
@@ -86,6 +93,7 @@ private:
     std::vector<std::uint32_t> first_;  // vertex by position
     std::vector<Vertex> vertices_;
     TriangleMesh made_;
+    std::vector<Vec3> colours_;
     bool has_normals_ = false;
 };
 
@@ -110,7 +118,10 @@ public:
                         static_cast<std::uint32_t>(t));
         }
         VertexMaker maker(mesh_, positions_);
-        for (const auto& [key, triangles] : groups) add_shape(key, mesh_of(maker, key, triangles));
+        for (const auto& [key, triangles] : groups) {
+            TriangleMesh mesh = mesh_of(maker, key, triangles);
+            add_shape(key, std::move(mesh), maker.colours());
+        }
     }
 
 private:
@@ -197,10 +208,19 @@ private:
         return maker.finished();
     }
 
-    void add_shape(const GroupKey& key, TriangleMesh mesh) {
+    std::uint32_t material_of_colours(const TriangleMesh& mesh, std::vector<Vec3> colours) {
+        VertexColourKind kind;
+        kind.colours = {std::make_shared<const VertexValues<Vec3>::Triangles>(mesh.triangles),
+                        std::make_shared<const std::vector<Vec3>>(std::move(colours))};
+        return add_material(scene_,
+                            DiffuseMaterial{SpectrumTexture(SpectrumKind{std::move(kind)})});
+    }
+
+    void add_shape(const GroupKey& key, TriangleMesh mesh, std::vector<Vec3> colours) {
         const PartLook& look = look_of_(key.material);
         ShapeDescription shape;
-        shape.material = look.material;
+        shape.material = look.takes_vertex_colours ? material_of_colours(mesh, std::move(colours))
+                                                   : look.material;
         shape.emission = look.emission;
         if (shape.emission) shape.emission->two_sided = !key.is_closed;
         shape.placed.cover = look.cover;

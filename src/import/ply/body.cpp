@@ -52,11 +52,13 @@ void remove_broken(PlyBody& body) {
         mesh.positions[kept] = mesh.positions[i];
         if (!mesh.normals.empty()) mesh.normals[kept] = mesh.normals[i];
         if (!mesh.uvs.empty()) mesh.uvs[kept] = mesh.uvs[i];
+        if (!mesh.colours.empty()) mesh.colours[kept] = mesh.colours[i];
         ++kept;
     }
     mesh.positions.resize(kept);
     if (!mesh.normals.empty()) mesh.normals.resize(kept);
     if (!mesh.uvs.empty()) mesh.uvs.resize(kept);
+    if (!mesh.colours.empty()) mesh.colours.resize(kept);
     for (auto& triangle : mesh.triangles)
         for (std::uint32_t& corner : triangle) corner = moved[corner];
 }

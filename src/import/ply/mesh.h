@@ -15,6 +15,7 @@ struct PlyMesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     std::vector<Vec3> normals;         // one per vertex, or empty; may be NaN
     std::vector<Vec2> uvs;             // one per vertex, or empty; finite
+    std::vector<Vec3> colours;         // one per vertex, or empty; in [0,1], as stored
     std::vector<std::string> remarks;  // what was left out or changed
 };
 

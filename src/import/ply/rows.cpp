@@ -14,12 +14,14 @@ namespace sunfleck::engine {
 namespace {
 
 /// Target of a vertex's number; the last value is for unused numbers.
-enum Slot : std::size_t { slot_x, slot_nx = 3, slot_u = 6, slot_v, slot_none };
+enum Slot : std::size_t { slot_x, slot_nx = 3, slot_u = 6, slot_v, slot_red, slot_none = 11 };
 using VertexRow = std::array<double, slot_none + 1>;
 
 constexpr std::array<std::string_view, 6> kVectorNames = {"x", "y", "z", "nx", "ny", "nz"};
 constexpr std::array<std::array<std::string_view, 2>, 4> kUvNames = {
     {{"u", "v"}, {"s", "t"}, {"texture_u", "texture_v"}, {"texture_s", "texture_t"}}};
+
+constexpr std::array<std::string_view, 3> kColourNames = {"red", "green", "blue"};
 
 bool has_number(const PlyElement& element, std::string_view name) {
     return std::any_of(element.properties.begin(), element.properties.end(),
@@ -30,7 +32,14 @@ struct VertexLayout {
     std::vector<Slot> slots;  // one per property
     bool normals = false;
     bool uvs = false;
+    double colour_scale = 0;  // to [0,1]; 0 without colours
 };
+
+/// Returns what makes colours of a type go to 1.
+double colour_scale_of(PlyType type) {
+    if (type == PlyType::float32 || type == PlyType::float64) return 1;
+    return type == PlyType::uint16 ? 1.0 / 65535 : 1.0 / 255;
+}
 
 VertexLayout layout_of(const PlyElement& vertex) {
     VertexLayout layout;
@@ -40,7 +49,11 @@ VertexLayout layout_of(const PlyElement& vertex) {
         return has_number(vertex, names[0]) && has_number(vertex, names[1]);
     });
     layout.uvs = uv != kUvNames.end();
+    const bool has_colours =
+        std::all_of(kColourNames.begin(), kColourNames.end(),
+                    [&](std::string_view name) { return has_number(vertex, name); });
     for (const PlyProperty& property : vertex.properties) {
+        const auto* colour = std::find(kColourNames.begin(), kColourNames.end(), property.name);
         const auto* found = std::find(kVectorNames.begin(), kVectorNames.end(), property.name);
         auto slot = slot_none;
         if (found != kVectorNames.end())
@@ -49,6 +62,9 @@ VertexLayout layout_of(const PlyElement& vertex) {
             slot = slot_u;
         else if (layout.uvs && property.name == (*uv)[1])
             slot = slot_v;
+        else if (has_colours && colour != kColourNames.end())
+            slot = static_cast<Slot>(slot_red + (colour - kColourNames.begin()));
+        if (slot == slot_red) layout.colour_scale = colour_scale_of(property.type);
         if (slot >= slot_nx && slot < slot_u && !layout.normals) slot = slot_none;
         layout.slots.push_back(property.is_list() ? slot_none : slot);
     }
@@ -109,6 +125,7 @@ private:
         mesh_.positions.reserve(element.count);
         if (layout.normals) mesh_.normals.reserve(element.count);
         if (layout.uvs) mesh_.uvs.reserve(element.count);
+        if (layout.colour_scale > 0) mesh_.colours.reserve(element.count);
         for (; row_ < element.count; ++row_) {
             VertexRow row{};
             for (std::size_t i = 0; i < layout.slots.size(); ++i) {
@@ -133,6 +150,13 @@ private:
         const auto any = [&](std::size_t slot) { return static_cast<float>(row.at(slot)); };
         if (layout.normals)
             mesh_.normals.emplace_back(any(slot_nx), any(slot_nx + 1), any(slot_nx + 2));
+        const auto colour = [&](std::size_t slot) {
+            const double value = row.at(slot) * layout.colour_scale;
+            return value > 0 ? static_cast<float>(std::min(value, 1.0)) : 0.0F;
+        };
+        if (layout.colour_scale > 0)
+            mesh_.colours.emplace_back(colour(slot_red), colour(slot_red + 1),
+                                       colour(slot_red + 2));
         if (!layout.uvs) return;
         const bool has_uv = are_floats(slot_u, slot_v);
         mesh_.uvs.emplace_back(has_uv ? Vec2d(row[slot_u], row[slot_v]) : Vec2d(0));

@@ -114,12 +114,20 @@ TEST(Obj, tells_what_it_leaves_out) {
               "triangles with two corners at one vertex are left out (1)."
               "points are left out (1).lines are left out (1)."
               "statements of curves and surfaces are left out (1)."
-              "colours of vertices are left out (1)."
               "weights of vertices other than 1 are left out (1)."
               "statements that are no OBJ are left out, first \"halo\" (1).");
     EXPECT_EQ(remarks_of("v 0 0 0\nv 2 2 0\nv 2 0 0\nv 0 1 0\nf 1 2 3 4\n"),
               "faces that cross themselves, or are concave with more than 5000 corners, may be "
               "filled wrongly (1).");
+}
+
+/// In [0,1], or as bytes; vertices without are white.
+TEST(Obj, reads_colours_of_vertices) {
+    const ObjMesh mesh = parsed("v 0 0 0\nv 1 0 0 1 .5 0\nv 0 1 0 nan -1 .5\nv 9 9 9\nf 1 2 3\n");
+    EXPECT_EQ(mesh.colours, (std::vector<Vec3>{Vec3(1), {1, 0.5F, 0}, {0, 0, 0.5F}, Vec3(1)}));
+    const ObjMesh bytes = parsed("v 0 0 0 255 0 51\nv 1 0 0 1 1 1\nv 0 1 0 0 0 0\nf 1 2 3\n");
+    EXPECT_EQ(bytes.colours[0], Vec3(1, 0, 0.2F));
+    EXPECT_TRUE(parsed(kSquare + "f 1 2 3\n").colours.empty());
 }
 
 TEST(Obj, has_flat_triangles_where_normals_are_none) {

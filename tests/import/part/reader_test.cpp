@@ -115,6 +115,22 @@ TEST_F(Part, of_ply_keeps_normals_and_leaves_those_that_are_none) {
               std::string::npos);
 }
 
+/// Scanned parts have colours at their vertices, as sRGB.
+TEST_F(Part, without_material_has_the_colours_of_its_vertices) {
+    const std::string ply =
+        "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\n"
+        "property float y\nproperty float z\nproperty uchar red\n"
+        "property uchar green\nproperty uchar blue\nelement face 1\n"
+        "property list uchar int vertex_indices\nend_header\n"
+        "0 0 0 255 0 0\n1 0 0 0 255 0\n0 1 0 0 0 128\n3 0 1 2\n";
+    const SceneDescription scene = read_part(written("a.ply", ply), {});
+    const auto& matt = std::get<DiffuseMaterial>(scene.materials[scene.shapes[0].material]);
+    EXPECT_TRUE(is_textured(matt));
+    EXPECT_NE(warnings_of(scene).find("the colours of its vertices are used"), std::string::npos);
+    const SceneDescription gold = read_part(written("a.ply", ply), of_material("gold"));
+    EXPECT_NE(warnings_of(gold).find("colours of vertices are left out"), std::string::npos);
+}
+
 /// Hits of rays on the part alone.
 std::vector<Vec3> hits_of(const SceneDescription& scene) {
     GeometryInput input;
