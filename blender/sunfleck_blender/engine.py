@@ -67,7 +67,7 @@ class SunfleckEngine(bpy.types.RenderEngine):
 
     def render(self, depsgraph):
         scene = depsgraph.scene
-        folder = tempfile.mkdtemp(prefix="sunfleck-")
+        folder = tempfile.mkdtemp(prefix="sunfleck-", dir=bpy.app.tempdir)
         try:
             self._render(depsgraph, folder)
             if scene.sunfleck.folder:
@@ -105,7 +105,7 @@ class SunfleckEngine(bpy.types.RenderEngine):
         settings = settings_of(scene)
         settings["light_groups"] = light_groups(scene, depsgraph.view_layer_eval,
                                                 exported.text.lights)
-        flags = program.render_arguments(settings, len(exported.text.lights))
+        flags = program.render_arguments(settings)
         render = Render(path, exported.file, flags, folder)
         try:
             self._watch(render, exported, settings, depsgraph.view_layer_eval.name)

@@ -7,7 +7,6 @@ import re
 import shutil
 import signal
 import subprocess
-import sys
 
 PROGRESS = re.compile(r"^(\d+) pass(?:es)?, .*$")
 ERROR = re.compile(r"\berror (\d[\d.]*)%")
@@ -34,11 +33,11 @@ def find_program(given):
     return found
 
 
-def render_arguments(settings, lights):
+def render_arguments(settings):
     """Returns the flags of a render.
 
     settings: dict with time (s), target_error (%), passes (0: no limit each), threads (0: all),
-    seed, aovs (names), light_groups (list of (name, light numbers)). lights: how many there are.
+    seed, aovs (names), light_groups (list of (name, light numbers)).
     """
     flags = []
     if settings["time"] > 0:
@@ -85,13 +84,11 @@ class Render:
         self._log = os.path.join(folder, "log.txt")
         arguments = [program, "render", scene, "-o", self.output, "--snapshots", self.snapshots,
                      *flags]
-        # A group of its own where the system has groups: Ctrl-C in the terminal is Blender's.
-        apart = {"creationflags": subprocess.CREATE_NEW_PROCESS_GROUP} if sys.platform == "win32" \
-            else {"start_new_session": True}
         try:
             with open(self._log, "wb") as log:
+                # A session of its own: Ctrl-C in the terminal is Blender's.
                 self._process = subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stdout=log,
-                                                 stderr=log, cwd=folder, **apart)
+                                                 stderr=log, cwd=folder, start_new_session=True)
         except OSError as fault:
             raise ProgramFault(f"{program} cannot be started: {fault.strerror}") from fault
         self._shown = 0
@@ -102,8 +99,7 @@ class Render:
     def interrupt(self):
         """Asks the program to finish its pass and write the picture."""
         if self.is_running():
-            self._process.send_signal(signal.CTRL_BREAK_EVENT if sys.platform == "win32"
-                                      else signal.SIGINT)
+            self._process.send_signal(signal.SIGINT)
 
     def kill(self):
         """Ends the program without a picture, and waits for its end."""

@@ -277,7 +277,7 @@ class Program(unittest.TestCase):
                 "aovs": ["normal"], "light_groups": [("sun", [1, 3])]}
 
     def test_flags_are_an_argument_list(self):
-        self.assertEqual(program.render_arguments(self.SETTINGS, 3),
+        self.assertEqual(program.render_arguments(self.SETTINGS),
                          ["--time", "60s", "--target-error", "1%", "--aovs", "normal",
                           "--light-group", "sun=1,3"])
 
