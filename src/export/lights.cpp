@@ -1,7 +1,8 @@
 // One overload for each light.
 #include "export/lights.h"
 
-#include "export/light_pictures.h"
+#include "export/light_colours.h"
+#include "export/light_images.h"
 #include "export/spectra.h"
 #include "geometry/quadrature.h"
 #include "scene/description.h"
@@ -88,10 +89,10 @@ struct StatementOfLight {
         const double tangent = std::min(light.half.x, light.half.y);
         const double half = arc_cosine(1 / std::sqrt(1 + tangent * tangent));
         statement.add("fov", 2 * half / kPiDouble * 180);
-        const PictureScale scale = picture_scale(light.curve);
-        const auto image = rgb_floats(*picture_of(*light.image, 3), scale.colour);
+        const LightColours colours(light.curve);
+        const auto image = under(colours, *picture_of(*light.image, 3));
         statement.add_word("string", "filename", pictures.add_light("projection", image));
-        statement.add("scale", scale.scale);
+        statement.add("scale", colours.scale());
         Affine turn = light.to_world;
         turn.y = -turn.y;
         return placed(placed_at(turn, light.position), statement);
@@ -102,8 +103,8 @@ struct StatementOfLight {
     }
 
     std::string operator()(const SunLight& light) const {
-        const PictureScale scale = picture_scale(light.curve);
-        const auto sun = sun_picture(light, scale.colour);
+        const LightColours colours(light.curve);
+        const auto sun = sun_image(light);
         if (!sun) {
             warnings.add(where,
                          "pbrt-v4 has no sun with a width: a narrow one is written as a "
@@ -113,7 +114,8 @@ struct StatementOfLight {
         warnings.add(where,
                      "pbrt-v4 has no sun with a width: it is written as a picture of the "
                      "sky, of its colour and irradiance");
-        return infinite("sun", sun->image, scale.scale * sun->peak, matrix_of(sun->to_world));
+        return infinite("sun", under(colours, *sun->image), colours.scale() * sun->peak,
+                        matrix_of(sun->to_world));
     }
 
     std::string operator()(const InfiniteLight& light) const {
@@ -123,8 +125,8 @@ struct StatementOfLight {
     }
 
     std::string operator()(const ImageInfiniteLight& light) const {
-        const PictureScale scale = picture_scale(light.curve);
-        if (!scale.is_white)
+        const LightColours colours(light.curve);
+        if (!colours.are_kept())
             warnings.add(where,
                          "the spectrum of a light with a picture is written as the colours "
                          "of its texels");
@@ -132,7 +134,7 @@ struct StatementOfLight {
             warnings.add(where,
                          "a picture of latitude and longitude is written as one of equal "
                          "areas, twice as high: texels are means, of the same light");
-        return infinite("environment", equal_area_picture(light, scale.colour), scale.scale,
+        return infinite("environment", under(colours, *equal_area_image(light)), colours.scale(),
                         matrix_of(light.to_world));
     }
 
@@ -152,10 +154,10 @@ struct StatementOfLight {
         warnings.add(where,
                      "the sky behind a portal is written as what is seen through it, "
                      "resampled");
-        const PictureScale scale = picture_scale(light.curve);
+        const LightColours colours(light.curve);
         statement.add_word("string", "filename",
-                           pictures.add_light("portal", portal_picture(light, scale.colour)));
-        statement.add("scale", scale.scale);
+                           pictures.add_light("portal", under(colours, *portal_view(light))));
+        statement.add("scale", colours.scale());
         Affine turn = light.frame;
         turn.origin = Vec3d(0);
         return placed(matrix_of(turn), statement);
@@ -194,13 +196,12 @@ std::string LightStatements::of(const Light& light, const SourceLocation& where)
 std::string LightStatements::area(const AreaEmission& emission) {
     StatementText statement("AreaLightSource", "diffuse");
     if (emission.image) {
-        const PictureScale scale = picture_scale(emission.radiance);
+        const LightColours colours(emission.radiance);
         std::string& file = surface_images_[emission.image];
         if (file.empty())
-            file =
-                pictures_.add_light("emission", rgb_floats(emission.image->image(), scale.colour));
+            file = pictures_.add_light("emission", under(colours, emission.image->image()));
         statement.add_word("string", "filename", file);
-        statement.add("scale", scale.scale);
+        statement.add("scale", colours.scale());
     } else {
         add_emission(statement, "L", emission.radiance);
     }

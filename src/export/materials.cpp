@@ -2,6 +2,7 @@
 #include "export/materials.h"
 
 #include "export/coated_colours.h"
+#include "export/film_colours.h"
 #include "export/spectra.h"
 #include "math/colour.h"
 
@@ -41,8 +42,12 @@ struct MaterialStatements {
     }
 
     void operator()(const IridescentConductorMaterial& m) const {
-        warn("pbrt-v4 has no thin films: metal under one is written without it");
-        (*this)(m.metal);
+        warn(
+            "pbrt-v4 has no thin films: metal under one is written as metal of its colour along "
+            "the normal, or without it where the metal's own colour is a texture");
+        ConductorMaterial metal = m.metal;
+        if (const auto colour = film_colour(m)) metal.reflectance = *colour;
+        (*this)(metal);
     }
 
     void operator()(const CoatedDiffuseMaterial& m) const {

@@ -85,12 +85,6 @@ void add_table(StatementText& statement, std::string_view name, const Spectrum& 
     statement.add("spectrum", name, table_text(points_of(curve)));
 }
 
-bool is_white(const Spectrum& curve) {
-    const auto* table = std::get_if<TabulatedSpectrum>(&curve.kind());
-    static const Spectrum kWhite = Spectrum::d65();
-    return table && table->points == std::get<TabulatedSpectrum>(kWhite.kind()).points;
-}
-
 void add_scale(StatementText& statement, float scale) {
     if (scale != 1) statement.add("scale", scale);
 }
@@ -154,7 +148,7 @@ void add_index(StatementText& statement, std::string_view name, const Spectrum& 
 }
 
 void add_emission(StatementText& statement, std::string_view name, const Spectrum& curve) {
-    if (is_white(curve)) return statement.add("rgb", name, Vec3(curve.factor()));
+    if (is_d65(curve)) return statement.add("rgb", name, Vec3(curve.factor()));
     if (const auto* smooth = std::get_if<SigmoidSpectrum>(&curve.kind()))
         if (const auto rgb = colour_of(*smooth, ColourUse::illuminant)) {
             statement.add("rgb", name, *rgb);
@@ -163,13 +157,10 @@ void add_emission(StatementText& statement, std::string_view name, const Spectru
     add_other_emission(statement, name, curve);
 }
 
-PictureScale picture_scale(const Spectrum& curve) {
-    if (is_white(curve)) return {curve.factor(), Vec3(1), true};
-    const float luminance = curve.luminance();
-    if (!(luminance > 0)) return {0, Vec3(1), true};
-    Vec3 colour = curve.to_rgb() / luminance;
-    for (int c = 0; c < 3; ++c) colour[c] = std::max(colour[c], 0.0F);
-    return {luminance, colour, false};
+bool is_d65(const Spectrum& curve) {
+    const auto* table = std::get_if<TabulatedSpectrum>(&curve.kind());
+    static const Spectrum kWhite = Spectrum::d65();
+    return table && table->points == std::get<TabulatedSpectrum>(kWhite.kind()).points;
 }
 
 }  // namespace sunfleck::engine

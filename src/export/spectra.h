@@ -32,13 +32,7 @@ void add_index(StatementText& statement, std::string_view name, const Spectrum& 
 /// no rgb.
 void add_emission(StatementText& statement, std::string_view name, const Spectrum& curve);
 
-/// The curve of a light with a picture: pbrt-v4 has D65 there, times a scale. `colour` is what the
-/// texels are multiplied by.
-struct PictureScale {
-    float scale = 1;
-    Vec3 colour{1};
-    bool is_white = true;  // the curve is D65
-};
-PictureScale picture_scale(const Spectrum& curve);
+/// Returns whether a curve is D65, times any number.
+bool is_d65(const Spectrum& curve);
 
 }  // namespace sunfleck::engine

@@ -171,7 +171,9 @@ std::string png_bytes(const Vec2i& size, int channels, std::span<const std::uint
     encode(job);
     if (!job.fault.empty())
         throw Error({"picture"}, "cannot be written as PNG: " + job.fault, "make it smaller");
-    return {reinterpret_cast<const char*>(job.output.data()), job.output.size()};  // NOLINT
+    std::string bytes(job.output.size(), '\0');
+    std::memcpy(bytes.data(), job.output.data(), bytes.size());
+    return bytes;
 }
 
 PngImage read_png(const std::string& path) {

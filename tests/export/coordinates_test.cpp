@@ -49,7 +49,8 @@ void expect_same_colours(const SceneDescription& scene) {
 }
 
 TEST(ExportedCoordinates, are_turned_in_the_mesh) {
-    expect_same_colours(coloured_mesh(TurnedUvMapping{{0.8F, 0.6F}, {-0.6F, 0.8F}, {0.1F, 0.3F}}));
+    expect_same_colours(
+        coloured_mesh(TurnedUvMapping{{0.8F, 0.6F}, {-0.6F, 0.8F}, {0.13F, 0.31F}}));
 }
 
 TEST(ExportedCoordinates, of_a_second_set_take_the_place_of_the_first) {
@@ -64,7 +65,7 @@ TEST(ExportedCoordinates, of_a_second_set_take_the_place_of_the_first) {
 
 TEST(ExportedCoordinates, stay_where_something_else_needs_them) {
     SceneDescription scene =
-        coloured_mesh(TurnedUvMapping{{0.8F, 0.6F}, {-0.6F, 0.8F}, {0.1F, 0.3F}});
+        coloured_mesh(TurnedUvMapping{{0.8F, 0.6F}, {-0.6F, 0.8F}, {0.13F, 0.31F}});
     const auto image =
         std::make_shared<const Image>(Vec2i(1, 1), 3, std::vector<float>{0.5F, 0.6F, 1});
     scene.bump_maps.at(scene.shapes.at(0).material) = NormalMap{image};

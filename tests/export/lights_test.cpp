@@ -124,6 +124,31 @@ TEST(ExportedLights, with_a_sun_have_its_irradiance_and_colour) {
     EXPECT_TRUE(std::holds_alternative<DistantLight>(again(first).lights.at(0)));
 }
 
+TEST(ExportedLights, with_a_spectrum_and_a_picture_look_the_same) {
+    SceneDescription first = read_world("Shape \"sphere\"");
+    ImageInfiniteLight sky;
+    sky.curve = Spectrum(BlackbodySpectrum{9000}).scaled(3);
+    sky.image = std::make_shared<const LightImage>(Image(
+        {2, 2}, 3, std::vector<float>{1, 1, 1, 0.4F, 0.6F, 0.9F, 0.7F, 2, 1, 0.2F, 0.3F, 0.5F}));
+    first.lights.emplace_back(sky);
+    const SceneDescription second = again(first);
+    const auto colour_of = [](const Light& light, const Vec3& w) {
+        const EnvironmentRadiance r = environment_radiance(light, Vec3(0), w);
+        const Spectrum tint = Spectrum::rgb_unbounded(r.rgb.value_or(Vec3(1)) * r.factor);
+        std::vector<TabulatedSpectrum::Point> product;
+        for (int nm = 360; nm <= 830; ++nm) {
+            const auto at = static_cast<float>(nm);
+            product.push_back({at, tint(at) * curve(light)(at)});
+        }
+        return Spectrum::table(std::move(product)).to_rgb();
+    };
+    for (const Vec3& w : {Vec3(1, 1, 0.3F), Vec3(-1, 1, 0.3F), Vec3(1, -1, 0.3F)}) {
+        const Vec3 wanted = colour_of(first.lights[0], w.normalized());
+        const Vec3 got = colour_of(second.lights[0], w.normalized());
+        EXPECT_LT((got - wanted).length(), 0.01F * wanted.length());
+    }
+}
+
 TEST(ExportedLights, behind_a_portal_are_what_is_seen_through_it) {
     const MemoryFiles files = {{"p.exr", bytes_of_picture(64)}};
     const SceneDescription first = read_world(R"(

@@ -118,6 +118,19 @@ TEST(ExportedMaterials, of_bright_rough_plastic_reflect_as_much) {
     }
 }
 
+TEST(ExportedMaterials, of_films_have_their_colour_along_the_normal) {
+    SceneDescription first = read_world("Material \"conductor\" Shape \"sphere\"");
+    IridescentConductorMaterial soap;
+    soap.metal.reflectance = Spectrum::rgb_albedo({0.9F, 0.7F, 0.5F});
+    soap.metal.roughness = {0.2F, 0.2F};
+    soap.thickness = 400;
+    first.materials.at(first.shapes.at(0).material) = soap;
+    const Vec3 up(0, 0, 1);
+    const SampledSpectrum wanted = eval(*first_bsdf(first), up, up, Transport::radiance);
+    expect_near(wanted, eval(*first_bsdf(again(first)), up, up, Transport::radiance), 1e-3F,
+                "value");
+}
+
 TEST(ExportedMaterials, keep_bumps_and_normal_maps) {
     const SceneDescription first = read_world(R"(
 Texture "waves" "float" "fbm"

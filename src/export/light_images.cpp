@@ -1,5 +1,5 @@
 // Sampling of environments over the texels of a square map.
-#include "export/light_pictures.h"
+#include "export/light_images.h"
 
 #include "core/parallel.h"
 #include "light/direction_map.h"
@@ -56,12 +56,12 @@ Vec3d colour_of_texel(const TexelLight& texel) {
     return Vec3d(texel.rgb) * texel.luminance;
 }
 
-std::shared_ptr<const Image> as_it_is(const LightImage& image, const Vec3& colour) {
+std::shared_ptr<const Image> as_it_is(const LightImage& image) {
     const int n = image.resolution().x;
     std::vector<Vec3d> texels;
     for (int y = 0; y < n; ++y)
         for (int x = 0; x < n; ++x) texels.push_back(colour_of_texel(image.texel(x, y)));
-    return image_of_texels(n, texels, Vec3d(colour));
+    return image_of_texels(n, texels, Vec3d(1));
 }
 
 /// Returns the mean over the sphere.
@@ -75,39 +75,38 @@ Vec3d mean_light(const LightImage& image, const DirectionMap& map) {
 
 }  // namespace
 
-std::shared_ptr<const Image> equal_area_picture(const ImageInfiniteLight& light,
-                                                const Vec3& colour) {
+std::shared_ptr<const Image> equal_area_image(const ImageInfiniteLight& light) {
     const LightImage& image = *light.image;
-    if (light.map.has_equal_areas()) return as_it_is(image, colour);
+    if (light.map.has_equal_areas()) return as_it_is(image);
     const int n = 2 * image.resolution().y;
     const std::vector<Vec3d> texels = means_over_texels(
         n, [&](const Vec3d& w) { return colour_of_texel(image.at(light.map.place(w))); });
     Vec3d sum(0);
     for (const Vec3d& texel : texels) sum += texel;
     const Vec3d wanted = mean_light(image, light.map) * static_cast<double>(texels.size());
-    Vec3d by(colour);
+    Vec3d by(1);
     for (int c = 0; c < 3; ++c)
         if (sum[c] > 0) by[c] *= wanted[c] / sum[c];
     return image_of_texels(n, texels, by);
 }
 
-std::shared_ptr<const Image> portal_picture(const PortalLight& light, const Vec3& colour) {
+std::shared_ptr<const Image> portal_view(const PortalLight& light) {
     const LightImage& through = light.image->through();
     const int n = std::max(2 * through.resolution().x, kLeastPortalTexels);
     const auto seen = [&](const Vec3d& w) {
         const Vec3d front(w.x, w.y, std::max(std::abs(w.z), 1e-6));
         return colour_of_texel(through.at(portal_place(front)));
     };
-    return image_of_texels(n, means_over_texels(n, seen), Vec3d(colour));
+    return image_of_texels(n, means_over_texels(n, seen), Vec3d(1));
 }
 
-std::optional<SunPicture> sun_picture(const SunLight& light, const Vec3& colour) {
+std::optional<SunImage> sun_image(const SunLight& light) {
     // A texel has 4 pi / n^2, a disc across which k of them lie about (pi / 4) k^2 of them.
     const double disc = 2 * kPiDouble * light.versine;
     const double needed = kTexelsAcrossSun * kPiDouble / std::sqrt(disc);
     if (!(needed <= kMostSunTexels)) return {};
     const int n = std::clamp(2 * static_cast<int>(needed), 256, kMostSunTexels);
-    SunPicture sun;
+    SunImage sun;
     const Vec3d to_sun = -light.direction;
     sun.to_world.x = rotate_z_to(to_sun, {1, 0, 0});
     sun.to_world.y = rotate_z_to(to_sun, {0, 1, 0});
@@ -131,7 +130,7 @@ std::optional<SunPicture> sun_picture(const SunLight& light, const Vec3& colour)
     // The disc's radiance adds up to one.
     const double whole = static_cast<double>(texels.size()) / (4 * kPiDouble * sum);
     sun.peak = static_cast<float>(most * whole);
-    sun.image = image_of_texels(n, texels, Vec3d(colour) / most);
+    sun.image = image_of_texels(n, texels, Vec3d(1 / most));
     return sun;
 }
 
