@@ -130,7 +130,7 @@ std::vector<SceneFlag> gltf_rows() {
         {.name = "--glass",
          .form = "auto|solid|thin",
          .help = "Whether glass fills its surfaces, or these are panes; auto: it fills closed ones",
-         .formats = kGltf,
+         .formats = {SceneFormat::gltf, SceneFormat::part},
          .read =
              [](SceneRequest& r, const std::string& text, const std::string& flag) {
                  r.import.glass = choice_of<GlassRule>(text, flag,

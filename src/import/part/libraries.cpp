@@ -45,10 +45,10 @@ PartLibraries::PartLibraries(PartFiles& files, const std::vector<ObjName>& state
         }
 }
 
-std::optional<PartLibraries::Found> PartLibraries::find(const std::string& name) const {
+std::optional<PartLibraries::Match> PartLibraries::find(const std::string& name) const {
     for (const PartLibrary& library : libraries_)
         for (const MtlMaterial& material : library.materials.materials)
-            if (material.name == name) return Found{&material, &library};
+            if (material.name == name) return Match{&material, &library};
     return std::nullopt;
 }
 

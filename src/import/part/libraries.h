@@ -16,12 +16,12 @@ public:
     /// Reads the libraries. A statement names one whose name may have blanks, or several.
     PartLibraries(PartFiles& files, const std::vector<ObjName>& statements, Warnings& warnings);
 
-    struct Found {
+    struct Match {
         const MtlMaterial* material = nullptr;
         const PartLibrary* library = nullptr;
     };
     /// Returns the first material of a name.
-    std::optional<Found> find(const std::string& name) const;
+    std::optional<Match> find(const std::string& name) const;
 
     /// Returns whether a library could not be found.
     bool are_missing() const { return are_missing_; }
