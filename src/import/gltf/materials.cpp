@@ -176,21 +176,26 @@ void GltfMaterials::add_emission(const JsonPlace& material, const GltfVertices& 
     look.emission = std::move(emission);
 }
 
-/// Adds glass in the place of what is opaque, as far as the material transmits.
-void GltfMaterials::add_glass(const JsonPlace& material, const GltfPbr& pbr, GltfSurface& surface,
+/// Adds glass, mixed with what is opaque as far as the material does not transmit. @return  false
+/// if it transmits nothing.
+bool GltfMaterials::add_glass(const JsonPlace& material, const GltfPbr& pbr, GltfSurface& surface,
                               GltfLook& look) {
     const auto transmission = material.extension("KHR_materials_transmission");
-    if (!transmission) return;
+    if (!transmission) return false;
     const double factor = transmission->number("transmissionFactor", 0, 0, 1);
-    if (factor == 0) return;
+    if (factor == 0) return false;
     const FloatTexture amount = number_of(
         textures_.find(*transmission, "transmissionTexture", TexelUse::red, pbr.vertices), factor);
     const FloatTexture metallic = metallic_of(pbr);
-    if (metallic.is_constant() && metallic.constant() == 1) return;  // metal lets nothing through
+    if (metallic.is_constant() && metallic.constant() == 1) return false;  // metal
+    std::optional<std::uint32_t> opaque;
     const auto mixed = [&](Material glass) {
-        const auto opaque = [&] { return look.material; };
+        const auto add_opaque = [&] {
+            if (!opaque) opaque = surface.add_opaque(pbr, material);
+            return *opaque;
+        };
         const auto add_glass = [&] { return surface.add(std::move(glass)); };
-        return surface.add_mix(opaque, add_glass, less(amount, metallic));
+        return surface.add_mix(add_opaque, add_glass, less(amount, metallic));
     };
     double dispersion = 0;
     if (const auto e = material.extension("KHR_materials_dispersion"))
@@ -213,6 +218,7 @@ void GltfMaterials::add_glass(const JsonPlace& material, const GltfPbr& pbr, Glt
          {"KHR_materials_clearcoat", "KHR_materials_specular", "KHR_materials_iridescence"})
         if (material.extension(name))
             scene_.warnings.add(material.where(), std::string(name) + " is left out on glass");
+    return true;
 }
 
 /// Adds what alpha leaves of the surface.
@@ -260,11 +266,11 @@ GltfLook GltfMaterials::made(const std::optional<JsonPlace>& material,
     GltfLook look;
     const BumpMap bump_map = material ? normal_map_of(*material, vertices) : BumpMap();
     GltfSurface surface(scene_, textures_, bump_map);
-    look.material = surface.add_opaque(pbr, material);
+    const bool is_glass = material && add_glass(*material, pbr, surface, look);
+    if (!is_glass) look.material = surface.add_opaque(pbr, material);
     if (!material) return look;
     add_emission(*material, vertices, look);
     add_alpha(*material, pbr, look);
-    add_glass(*material, pbr, surface, look);
     if (const auto e = material->extension("KHR_materials_anisotropy"); e && pbr.anisotropy > 0) {
         look.tangent_turn = e->number("anisotropyRotation", 0);
         if (look.tangent_turn != 0 && !is_flat(bump_map)) {

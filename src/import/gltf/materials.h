@@ -63,7 +63,7 @@ private:
     GltfLook made(const std::optional<JsonPlace>& material, const GltfVertices& vertices);
     GltfLook made_unlit(const JsonPlace& material, const GltfPbr& pbr);
     void add_alpha(const JsonPlace& material, const GltfPbr& pbr, GltfLook& look);
-    void add_glass(const JsonPlace& material, const GltfPbr& pbr, GltfSurface& surface,
+    bool add_glass(const JsonPlace& material, const GltfPbr& pbr, GltfSurface& surface,
                    GltfLook& look);
     void add_emission(const JsonPlace& material, const GltfVertices& vertices, GltfLook& look);
     BumpMap normal_map_of(const JsonPlace& material, const GltfVertices& vertices);

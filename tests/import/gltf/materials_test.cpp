@@ -65,6 +65,7 @@ TEST_F(GltfMaterial, glass_of_an_open_surface_is_thin) {
 "KHR_materials_volume":{"thicknessFactor":1}})");
     EXPECT_TRUE(std::holds_alternative<ThinDielectricMaterial>(material_of(scene)));
     EXPECT_TRUE(warns(scene, "scene.gltf: warning: glass: 1 part open, so thin panes"));
+    EXPECT_EQ(scene.materials.size(), 2U) << "solid and thin, and nothing opaque";
 }
 
 /// Where a texture says metal, nothing passes.
