@@ -86,7 +86,7 @@ class Render:
                      *flags]
         try:
             with open(self._log, "wb") as log:
-                # A session of its own: Ctrl-C in the terminal is Blender's.
+                # A group of its own: Ctrl-C in the terminal is Blender's.
                 self._process = subprocess.Popen(arguments, stdin=subprocess.DEVNULL, stdout=log,
                                                  stderr=log, cwd=folder, start_new_session=True)
         except OSError as fault:
