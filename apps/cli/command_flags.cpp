@@ -47,7 +47,8 @@ const Shell* read_shell(const std::string& text, const std::string& flag) {
 std::string read_pbrt_name(const std::string& text, const std::string& flag) {
     const std::filesystem::path path(text);
     if (path.extension() == ".pbrt") return text;
-    throw Error({flag}, "\"" + text + "\" is no name of a .pbrt file", "write for instance cup.pbrt");
+    throw Error({flag}, "\"" + text + "\" is no name of a .pbrt file",
+                "write for instance cup.pbrt");
 }
 
 }  // namespace

@@ -134,8 +134,9 @@ private:
     CLI::App* scene_app_ =
         add_command("scene", "Write one of Sunfleck's own scenes; without NAME, list them",
                     "  sunfleck scene cognac-0 -o scenes");
-    CLI::App* convert_app_ = add_command("convert", "Write a scene of any format as a pbrt-v4 scene",
-                                         "  sunfleck convert lamp.glb -o lamp.pbrt");
+    CLI::App* convert_app_ =
+        add_command("convert", "Write a scene of any format as a pbrt-v4 scene",
+                    "  sunfleck convert lamp.glb -o lamp.pbrt");
     CLI::App* merge_app_ =
         add_command("merge", "Add up pass ranges of one render",
                     "  sunfleck merge a.film b.film -o scene.exr --stats scene.json");

@@ -134,11 +134,11 @@ TEST(ExportedLights, with_a_spectrum_and_a_picture_look_the_same) {
     const SceneDescription second = again(first);
     const auto colour_of = [](const Light& light, const Vec3& w) {
         const EnvironmentRadiance r = environment_radiance(light, Vec3(0), w);
-        const Spectrum tint = Spectrum::rgb_unbounded(r.rgb.value_or(Vec3(1)) * r.factor);
+        const Spectrum factor = Spectrum::rgb_unbounded(r.rgb.value_or(Vec3(1)) * r.factor);
         std::vector<TabulatedSpectrum::Point> product;
         for (int nm = 360; nm <= 830; ++nm) {
             const auto at = static_cast<float>(nm);
-            product.push_back({at, tint(at) * curve(light)(at)});
+            product.push_back({at, factor(at) * curve(light)(at)});
         }
         return Spectrum::table(std::move(product)).to_rgb();
     };
