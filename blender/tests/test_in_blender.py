@@ -370,6 +370,21 @@ class Renders(Case):
         with self.assertRaisesRegex(SceneFault, "Plane: AreaLightSource"):
             self.export()
 
+    def test_faults_of_the_program_are_told_by_object(self):
+        self.sunlit_plane()
+        fake = os.path.join(self.folder, "sunfleck")
+        with open(fake, "w", encoding="utf-8") as script:
+            script.write('#!/bin/sh\nline=$(grep -n plymesh "$2" | cut -d: -f1)\n'
+                         'echo "$2:$line:3: the mesh is odd; mend it" >&2\nexit 2\n')
+        os.chmod(fake, 0o755)
+        old = os.environ["PATH"]
+        os.environ["PATH"] = self.folder + os.pathsep + old
+        try:
+            with self.assertRaisesRegex(RuntimeError, "object Plane: the mesh is odd; mend it"):
+                bpy.ops.render.render()
+        finally:
+            os.environ["PATH"] = old
+
     def test_a_program_that_is_missing_is_told(self):
         with self.assertRaisesRegex(RuntimeError, "Preferences"):
             old = os.environ["PATH"]
