@@ -49,10 +49,11 @@ class Units(unittest.TestCase):
 
 
 class Geometry(unittest.TestCase):
-    def test_a_cube_is_closed_and_an_open_or_twisted_one_is_not(self):
+    def test_a_cube_is_closed_and_an_open_doubled_or_twisted_one_is_not(self):
         positions, faces = CUBE
         self.assertTrue(geometry.is_closed(faces))
         self.assertFalse(geometry.is_closed(faces[1:]))
+        self.assertFalse(geometry.is_closed(np.concatenate([faces, faces])))
         twisted = faces.copy()
         twisted[0] = twisted[0][::-1]
         self.assertFalse(geometry.is_closed(twisted))
