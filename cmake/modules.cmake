@@ -60,7 +60,7 @@ sunfleck_module(import_ies FOLDER import/ies NEEDS module_light)
 sunfleck_module(import_pbrt FOLDER import/pbrt ALONE materials texture_kinds world_directives
   NEEDS module_sky module_import_ply module_import_ies)
 sunfleck_module(import_gltf FOLDER import/gltf ALONE draco
-  NEEDS module_scene nlohmann_json::nlohmann_json ${SUNFLECK_UNPACKERS})
+  NEEDS module_import_ies module_scene nlohmann_json::nlohmann_json ${SUNFLECK_UNPACKERS})
 target_compile_definitions(module_import_gltf PRIVATE $<$<BOOL:${SUNFLECK_DRACO}>:SUNFLECK_DRACO>
   $<$<BOOL:${SUNFLECK_MESHOPT}>:SUNFLECK_MESHOPT>)
 sunfleck_module(import_part FOLDER import/part

@@ -104,6 +104,22 @@ std::uint32_t count_of(const std::string& name, std::int64_t number) {
     return static_cast<std::uint32_t>(number);
 }
 
+std::vector<std::pair<std::string, std::string>> scene_flags_of(const py::kwargs& values) {
+    std::vector<std::pair<std::string, std::string>> flags;
+    for (const auto& [key, value] : values) {
+        const auto name = key.cast<std::string>();
+        const Purpose purpose{name, "the flag"};
+        if (py::isinstance<py::bool_>(value))
+            flags.emplace_back(name, value.cast<bool>() ? "on" : "off");
+        else if (py::isinstance<py::list>(value) || py::isinstance<py::tuple>(value))
+            flags.emplace_back(name,
+                               joined(py::reinterpret_borrow<py::sequence>(value), ",", purpose));
+        else
+            flags.emplace_back(name, word_of(value, purpose));
+    }
+    return flags;
+}
+
 Settings settings_of(const py::kwargs& values) {
     Settings settings;
     for (const auto& [name, value] : values) set_setting(settings, name.cast<std::string>(), value);

@@ -8,6 +8,8 @@
 
 #include <cstdint>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace sunfleck::python {
 
@@ -19,6 +21,10 @@ Parameters parameters_of(const std::string& call, const py::dict& values);
 
 /// A number of passes or threads. @throws Error  for what is none.
 std::uint32_t count_of(const std::string& name, std::int64_t number);
+
+/// Flags of a scene by the names of the command line's, with underscores: sun=(225, 40).
+/// @throws Error  for values that are no numbers, strings, or lists of these.
+std::vector<std::pair<std::string, std::string>> scene_flags_of(const py::kwargs& values);
 
 /// Settings by the names of the command line's flags, with underscores: photons_per_pass=100000.
 /// Values are numbers, strings, truth values, and lists of these.

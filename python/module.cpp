@@ -47,13 +47,16 @@ void add_scene(py::module_& module) {
     py::class_<Scene>(module, "Scene", "A scene, ready to be rendered. Immutable.")
         .def_static(
             "load",
-            [](const std::string& path, std::int64_t threads, const std::string& isa) {
-                return unlocked([&] {
-                    return Scene::load(path, {count_of("threads", threads), isa});
-                });
+            [](const std::string& path, std::int64_t threads, const std::string& isa,
+               const py::kwargs& flags) {
+                const SceneOptions options{count_of("threads", threads), isa,
+                                           scene_flags_of(flags)};
+                return unlocked([&] { return Scene::load(path, options); });
             },
             py::arg("path"), py::kw_only(), py::arg("threads").noconvert() = 0,
-            py::arg("isa") = "avx2", "Reads a scene file in the format of pbrt-v4.")
+            py::arg("isa") = "avx2",
+            "Reads a scene file: pbrt-v4, glTF, or OBJ, STL or PLY alone. More names are flags of "
+            "the scene, as of sunfleck render: sun=(225, 40).")
         .def_static(
             "parse",
             [](const std::string& text, const std::string& name, std::int64_t threads,

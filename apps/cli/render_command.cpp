@@ -82,8 +82,7 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, KeptFiles& ke
 }
 
 Exposure exposure_of(const RenderOptions& options) {
-    const bool is_pbrt = format_of(options.scene) == SceneFormat::pbrt;
-    return options.request.exposure.value_or(Exposure{.is_automatic = !is_pbrt});
+    return options.request.exposure.value_or(usual_exposure(options.scene));
 }
 
 /// Pictures, remarks, statistics, and what each picture is.

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace sunfleck {
@@ -17,6 +18,9 @@ struct SUNFLECK_API SceneOptions {
     /// Instructions of the ray tracer: "avx2" gives the same bytes on every machine that has them,
     /// "native" takes what this machine has.
     std::string isa = "avx2";
+    /// For load(): flags of the scene and their values, as `sunfleck render` has them in
+    /// docs/reference/render.md: {{"sun", "225,40"}, {"turbidity", "2"}}.
+    std::vector<std::pair<std::string, std::string>> flags{};
 };
 
 /// Light sources of a scene, by a statement of its file: what --light-group counts.
@@ -29,8 +33,9 @@ struct SUNFLECK_API LightInfo {
 /// and any number of renderers.
 class SUNFLECK_API Scene {
 public:
-    /// Reads a scene file in the format of pbrt-v4, and the files that it names.
-    /// @throws Error  for what cannot be read; it tells the line and column.
+    /// Reads a scene file and the files that it names: pbrt-v4, glTF, or OBJ, STL or PLY alone.
+    /// @throws Error  for what cannot be read; it tells the line and column. For a flag that is none,
+    /// or has no meaning for the format.
     static Scene load(const std::string& path, const SceneOptions& options = {});
 
     /// Reads a scene from text. @param name  stands for the file's in messages, and names of other

@@ -38,7 +38,8 @@ class LightInfo:
 
 class Scene:
     @staticmethod
-    def load(path: _Path, *, threads: int = 0, isa: str = "avx2") -> Scene: ...
+    def load(
+        path: _Path, *, threads: int = 0, isa: str = "avx2", **flags: object) -> Scene: ...
     @staticmethod
     def parse(
         text: Union[str, bytes], name: _Path = "scene.pbrt", *, threads: int = 0,

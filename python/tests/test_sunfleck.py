@@ -116,6 +116,20 @@ def test_errors_carry_the_place():
         sunfleck.Scene.load("nowhere.pbrt")
 
 
+def test_scenes_take_the_flags_of_the_command_line(tmp_path):
+    path = tmp_path / "ball.pbrt"
+    path.write_text(BALL)
+    before = len(sunfleck.Scene.load(path).lights)
+    lit = sunfleck.Scene.load(path, sun=(120, 30.5), ground_albedo=0.5, up="y")
+    assert [light.what for light in lit.lights[before:]] == ["sky", "sun"]
+    with pytest.raises(sunfleck.Error, match="--camera"):
+        sunfleck.Scene.load(path, camera="main")
+    with pytest.raises(sunfleck.Error, match="--moon: is no flag of a scene"):
+        sunfleck.Scene.load(path, moon=1)
+    with pytest.raises(sunfleck.Error, match="sun"):
+        sunfleck.Scene.load(path, sun=None)
+
+
 def test_settings_have_the_names_of_the_command_line(scene):
     names = {info.name for info in sunfleck.settings()}
     assert {"passes", "photon-sampler", "light-group"} <= names

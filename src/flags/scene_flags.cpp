@@ -1,6 +1,7 @@
 // The rows of the flags of a scene.
 #include "flags/scene_flags.h"
 
+#include "flags/render_flags.h"
 #include "flags/sun_value.h"
 #include "flags/values.h"
 #include "sunfleck/error.h"
@@ -196,6 +197,12 @@ const std::vector<SceneFlag>& scene_flags() {
         return all;
     }();
     return kAll;
+}
+
+const SceneFlag& scene_flag(const std::string& name) {
+    for (const SceneFlag& flag : scene_flags())
+        if (flag.name == flag_name(name)) return flag;
+    throw Error({flag_name(name)}, "is no flag of a scene", "see sunfleck render --help");
 }
 
 void set_scene_flag(SceneRequest& request, const SceneFlag& flag, const std::string& text) {

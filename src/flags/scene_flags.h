@@ -22,6 +22,10 @@ struct SceneFlag {
 
 const std::vector<SceneFlag>& scene_flags();
 
+/// Returns the flag of that name, which may lack its dashes ("ground_albedo"). @throws Error  for
+/// an unknown one.
+const SceneFlag& scene_flag(const std::string& name);
+
 /// Sets a flag of the request. @throws Error  for a text that cannot be used, and for a flag that
 /// is given twice.
 void set_scene_flag(SceneRequest& request, const SceneFlag& flag, const std::string& text);

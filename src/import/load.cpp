@@ -44,6 +44,10 @@ SceneFormat format_of(const std::string& path) {
     return SceneFormat::pbrt;
 }
 
+Exposure usual_exposure(const std::string& path) {
+    return {.is_automatic = format_of(path) != SceneFormat::pbrt};
+}
+
 SceneDescription load_scene(const std::string& path, const SceneRequest& request) {
     if (path.empty())
         throw Error({"scene"}, "the name of the scene's file is empty", "give the name of a file");

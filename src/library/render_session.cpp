@@ -49,6 +49,7 @@ RenderSession::RenderSession(const Scene& scene, const Settings& settings,
       settings_(engine::settings_for(scene_, request_)),
       threads_(options.threads) {
     check_isa(settings, isa_);
+    if (!request_.exposure) request_.exposure = scene.data().exposure;
     if (request_.settings.energy_compensation) scene_.compensate_energy();
     engine::Camera camera = camera_;
     engine::FilmDescription film = scene_.film();
@@ -141,9 +142,9 @@ Picture RenderSession::picture() const {
     return guarded([&] {
         const std::lock_guard lock(guard_);
         engine::Picture made = engine::film_picture(shown_->loop.result().film, options);
-        const double stops =
-            engine::stops_of(request_.exposure.value_or(engine::Exposure()), made);
-        return Picture(std::make_shared<const Picture::Data>(Picture::Data{std::move(made), stops}));
+        const double stops = engine::stops_of(*request_.exposure, made);
+        return Picture(
+            std::make_shared<const Picture::Data>(Picture::Data{std::move(made), stops}));
     });
 }
 

@@ -2,6 +2,7 @@
 #include "sunfleck/scene.h"
 
 #include "core/parallel.h"
+#include "flags/scene_flags.h"
 #include "import/load.h"
 #include "import/pbrt/reader.h"
 #include "library/guarded.h"
@@ -12,7 +13,8 @@
 namespace sunfleck {
 
 Scene built_scene(const SceneOptions& options,
-                  const std::function<engine::SceneDescription()>& read) {
+                  const std::function<engine::SceneDescription()>& read,
+                  const engine::Exposure& exposure) {
     if (options.isa != "avx2" && options.isa != "native")
         throw Error({"isa"}, "there is no \"" + options.isa + "\"", "use \"avx2\" or \"native\"");
     std::shared_ptr<const Scene::Data> data;
@@ -22,18 +24,30 @@ Scene built_scene(const SceneOptions& options,
             std::vector<std::string> files = description.files;
             const engine::Camera camera = description.camera;
             data = std::make_shared<const Scene::Data>(
-                Scene::Data{engine::Scene(std::move(description), options.isa), options.isa,
-                            std::move(files), camera});
+                Scene::Data{.scene = engine::Scene(std::move(description), options.isa),
+                            .isa = options.isa,
+                            .files = std::move(files),
+                            .camera_in_world = camera,
+                            .exposure = exposure});
         });
     });
     return Scene(std::move(data));
 }
 
 Scene Scene::load(const std::string& path, const SceneOptions& options) {
-    return built_scene(options, [&] { return engine::load_scene(path); });
+    const auto read = [&] {
+        engine::SceneRequest request;
+        for (const auto& [name, text] : options.flags)
+            engine::set_scene_flag(request, engine::scene_flag(name), text);
+        return engine::load_scene(path, request);
+    };
+    return built_scene(options, read, engine::usual_exposure(path));
 }
 
 Scene Scene::parse(const std::string& text, const std::string& name, const SceneOptions& options) {
+    if (!options.flags.empty())
+        throw Error({options.flags.front().first}, "a scene of a text has no flags",
+                    "state it in the text");
     return built_scene(options, [&] { return engine::read_pbrt_text(text, name); });
 }
 

@@ -2,7 +2,7 @@
 #include "sky/sky_model.h"
 
 #include "math/trigonometry.h"
-#include "sky/data_hosek_wilkie.h"
+#include "sky/data_hosek_wilkie.inc"
 
 #include <algorithm>
 #include <cmath>

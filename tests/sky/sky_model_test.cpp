@@ -5,7 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <fstream>
+#include <sstream>
+#include <string>
 
 namespace sunfleck::engine {
 namespace {
@@ -49,20 +53,38 @@ constexpr std::array<Known, 11> kKnown = {{
     {10, 1, 10, 80, 0.2, 720, 0.780243808, 1579.7033},
 }};
 
+void expect_known(const Known& k) {
+    const SkyModel model(
+        {.elevation = radians(k.elevation), .turbidity = k.turbidity, .ground_albedo = k.albedo});
+    const double sky =
+        at(model.sky(std::cos(radians(k.zenith)), std::cos(radians(k.from_sun))), k.nm);
+    EXPECT_NEAR(sky / k.sky, 1, 1e-5) << k.nm << ' ' << k.zenith;
+    if (k.from_sun > 0.255) return;
+    const double ratio = std::sin(radians(k.from_sun)) / std::sin(radians(0.255));
+    const double sun = at(model.sun(radians(90 - k.zenith)), k.nm) *
+                       at(darkening_at(std::sqrt(1 - ratio * ratio)), k.nm);
+    EXPECT_NEAR((sky + sun) / k.sky_and_sun, 1, 1e-5) << k.nm << ' ' << k.zenith;
+}
+
 TEST(SkyModel, has_the_values_of_its_authors) {
-    for (const Known& k : kKnown) {
-        const SkyModel model({.elevation = radians(k.elevation),
-                              .turbidity = k.turbidity,
-                              .ground_albedo = k.albedo});
-        const double sky =
-            at(model.sky(std::cos(radians(k.zenith)), std::cos(radians(k.from_sun))), k.nm);
-        EXPECT_NEAR(sky / k.sky, 1, 1e-5) << k.nm << ' ' << k.zenith;
-        if (k.from_sun > 0.255) continue;
-        const double ratio = std::sin(radians(k.from_sun)) / std::sin(radians(0.255));
-        const double sun = at(model.sun(radians(90 - k.zenith)), k.nm) *
-                           at(darkening_at(std::sqrt(1 - ratio * ratio)), k.nm);
-        EXPECT_NEAR((sky + sun) / k.sky_and_sun, 1, 1e-5) << k.nm << ' ' << k.zenith;
+    for (const Known& k : kKnown) expect_known(k);
+}
+
+TEST(SkyModel, has_all_shared_values_of_its_authors) {
+    std::ifstream file(std::string(SUNFLECK_SOURCE_DIR) + "/../shared/data/sky/check-values.csv");
+    if (!file) GTEST_SKIP() << "there is no ../shared/data/sky";
+    int count = 0;
+    for (std::string line; std::getline(file, line);) {
+        if (line.starts_with('#')) continue;
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream in(line);
+        Known k{};
+        in >> k.turbidity >> k.albedo >> k.elevation >> k.zenith >> k.from_sun >> k.nm >> k.sky >>
+            k.sky_and_sun;
+        expect_known(k);
+        ++count;
     }
+    EXPECT_EQ(count, 60);
 }
 
 TEST(SkyModel, is_finite_everywhere) {

@@ -4,6 +4,7 @@
 #include "geometry/affine.h"
 #include "import/gltf/draco.h"
 #include "import/gltf/lights.h"
+#include "import/gltf/luminaires.h"
 #include "import/gltf/meshopt.h"
 #include "import/gltf/shapes.h"
 #include "import/gltf/units.h"
@@ -20,16 +21,24 @@ namespace sunfleck::engine {
 namespace {
 
 /// Extensions that are read. Others are named in a warning, or refused where they are required.
-constexpr std::array<std::string_view, 17> kExtensions = {
-    "EXT_mesh_gpu_instancing",  "EXT_texture_webp",
-    "KHR_lights_punctual",      "KHR_materials_anisotropy",
-    "KHR_materials_clearcoat",  "KHR_materials_diffuse_transmission",
-    "KHR_materials_dispersion", "KHR_materials_emissive_strength",
-    "KHR_materials_ior",        "KHR_materials_iridescence",
-    "KHR_materials_specular",   "KHR_materials_transmission",
-    "KHR_materials_unlit",      "KHR_materials_variants",
-    "KHR_materials_volume",     "KHR_mesh_quantization",
-    "KHR_texture_transform"};
+constexpr std::array<std::string_view, 18> kExtensions = {"EXT_lights_ies",
+                                                          "EXT_mesh_gpu_instancing",
+                                                          "EXT_texture_webp",
+                                                          "KHR_lights_punctual",
+                                                          "KHR_materials_anisotropy",
+                                                          "KHR_materials_clearcoat",
+                                                          "KHR_materials_diffuse_transmission",
+                                                          "KHR_materials_dispersion",
+                                                          "KHR_materials_emissive_strength",
+                                                          "KHR_materials_ior",
+                                                          "KHR_materials_iridescence",
+                                                          "KHR_materials_specular",
+                                                          "KHR_materials_transmission",
+                                                          "KHR_materials_unlit",
+                                                          "KHR_materials_variants",
+                                                          "KHR_materials_volume",
+                                                          "KHR_mesh_quantization",
+                                                          "KHR_texture_transform"};
 
 /// Extensions that change no picture.
 bool is_harmless(std::string_view name) {
@@ -89,6 +98,7 @@ public:
                 uses_[number_of(*mesh)] += nodes_.instances_of(node).size();
         for (const GltfNode& node : nodes_.in_scene()) add_node(node);
         add_punctual_lights(document_, nodes_, scene_);
+        add_luminaires(document_, nodes_, scene_);
         shapes_.tell_glass();
         set_view(document_, nodes_, settings_.camera, scene_);
         scene_.files = document_.files();

@@ -203,7 +203,7 @@ TEST(Lights, of_luminaires_have_the_candela_of_their_file) {
     const std::string light = "LightSource \"goniometric\" \"string filename\" \"a.IES\" ";
     const auto lamp = std::get<GoniometricLight>(read_world(light, files).lights.at(0));
     const auto brought = [&](const Vec3& point) {
-        return lamp.sample_direct(point, {}, {})->factor * value_of(lamp.curve);
+        return lamp.sample_direct(point, Vec2(0), {})->factor * value_of(lamp.curve);
     };
     EXPECT_NEAR(brought({0, 2, 0}), 1.0 / 4, 0.01) << "the zenith";
     EXPECT_NEAR(brought({0, -2, 0}), 3.0 / 4, 0.01) << "the nadir";
