@@ -25,7 +25,7 @@ public:
     NewFiles& operator=(NewFiles&&) = delete;
     ~NewFiles() {
         std::error_code code;  // a folder that is not empty stays
-        for (auto path = paths_.rbegin(); path != paths_.rend(); ++path) fs::remove(*path, code);
+        for (; !paths_.empty(); paths_.pop_back()) fs::remove(paths_.back(), code);
     }
 
     void add(const fs::path& path) { paths_.push_back(path); }

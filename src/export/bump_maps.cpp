@@ -21,7 +21,7 @@ std::shared_ptr<const Image> steeper(const Image& image, float strength) {
 
 bool is_plain(const Mapping& mapping) {
     const auto* uv = std::get_if<UvMapping>(&mapping);
-    return uv && uv->scale == Vec2(1) && uv->shift == Vec2(0);
+    return uv != nullptr && uv->scale == Vec2(1) && uv->shift == Vec2(0);
 }
 
 }  // namespace

@@ -9,7 +9,7 @@ namespace {
 /// Returns whether pbrt-v4 lacks a mapping.
 bool is_unsayable(const Mapping& mapping) {
     const auto* turned = std::get_if<TurnedUvMapping>(&mapping);
-    return (turned && (turned->u.y != 0 || turned->v.x != 0)) ||
+    return (turned != nullptr && (turned->u.y != 0 || turned->v.x != 0)) ||
            std::holds_alternative<VertexMapping>(mapping);
 }
 
@@ -130,7 +130,8 @@ bool is_same(const Mapping& a, const Mapping& b) {
     if (turned_a && turned_b) return is_same(*turned_a, *turned_b);
     const auto* vertex_a = std::get_if<VertexMapping>(&a);
     const auto* vertex_b = std::get_if<VertexMapping>(&b);
-    return vertex_a && vertex_b && vertex_a->coordinates.values == vertex_b->coordinates.values &&
+    return vertex_a != nullptr && vertex_b != nullptr &&
+           vertex_a->coordinates.values == vertex_b->coordinates.values &&
            is_same(vertex_a->turned, vertex_b->turned);
 }
 

@@ -48,10 +48,10 @@ Vec3 LightColours::of(const Vec3& texel) const {
 }
 
 Vec3 LightColours::seen(const Vec3& texel) const {
-    static const std::array<Wavelengths, kBlocks> kAll = made_blocks();
+    static const std::array<Wavelengths, kBlocks> all = made_blocks();
     Vec3d sum(0);
     for (std::size_t block = 0; block < kBlocks; ++block) {
-        const SampledSpectrum smooth = SigmoidTable::srgb().unbounded(texel, kAll.at(block));
+        const SampledSpectrum smooth = SigmoidTable::srgb().unbounded(texel, all.at(block));
         for (std::size_t k = 0; k < kWavelengths; ++k) {
             const std::size_t i = block * kWavelengths + k;
             if (i >= kCount) break;

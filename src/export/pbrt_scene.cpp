@@ -37,9 +37,9 @@ bool turns_where_mirrored(const ShapeDescription& shape) {
 
 class PbrtWriter {
 public:
-    PbrtWriter(const SceneDescription& scene, const std::string& name)
+    PbrtWriter(const SceneDescription& scene, std::string name)
         : scene_(scene),
-          name_(name),
+          name_(std::move(name)),
           pictures_(folder(), result_.files),
           textures_(pictures_, result_.warnings, {scene.path}),
           materials_(scene.materials, scene.bump_maps, pictures_, textures_),
@@ -89,7 +89,9 @@ private:
             const std::string inside =
                 i < around.size() ? interface_text({around[i].outside, around[i].outside}) : "";
             const std::string light = lights_.of(scene_.lights[i], where);
-            text += inside.empty() ? light : "AttributeBegin\n" + inside + light + "AttributeEnd\n";
+            text += inside.empty()
+                        ? light
+                        : fmt::format("AttributeBegin\n{}{}AttributeEnd\n", inside, light);
         }
         return text;
     }

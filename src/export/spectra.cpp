@@ -159,8 +159,9 @@ void add_emission(StatementText& statement, std::string_view name, const Spectru
 
 bool is_d65(const Spectrum& curve) {
     const auto* table = std::get_if<TabulatedSpectrum>(&curve.kind());
-    static const Spectrum kWhite = Spectrum::d65();
-    return table && table->points == std::get<TabulatedSpectrum>(kWhite.kind()).points;
+    static const Spectrum white_curve = Spectrum::d65();
+    return table != nullptr &&
+           table->points == std::get<TabulatedSpectrum>(white_curve.kind()).points;
 }
 
 }  // namespace sunfleck::engine
