@@ -47,8 +47,7 @@ void print_words(const std::vector<UsedWord>& words) {
         const bool plain = used.directive == "Directive";
         const std::string name =
             plain ? used.word : fmt::format("{} \"{}\"", used.directive, used.word);
-        const bool exact =
-            row->treatment == Treatment::exact || row->treatment == Treatment::ours;
+        const bool exact = row->treatment == Treatment::exact || row->treatment == Treatment::ours;
         fmt::print("word        {:<12} {} x {}{}{}\n", name_of(row->treatment), used.count, name,
                    exact ? "" : ": ", exact ? "" : row->read_as);
     }

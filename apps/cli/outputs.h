@@ -48,6 +48,6 @@ struct WrittenOutputs {
 /// Writes the film to every output: as .film, or as a picture. If one fails, the others are still
 /// written. @param faults  receives the failures.
 WrittenOutputs write_outputs(const std::vector<std::string>& outputs, const Film& film,
-                                       const OutputOptions& options, DeferredError& faults);
+                             const OutputOptions& options, DeferredError& faults);
 
 }  // namespace sunfleck::engine

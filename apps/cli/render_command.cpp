@@ -112,9 +112,8 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
                    target_error(result.film, options.request.stop.error_terms));
     for (std::string& file : written.files) file += ": " + state;
     if (written.found_exposure)
-        written.files.push_back(
-            fmt::format("exposure of the .png: {0:+.1f} stops (--exposure {0:.1f})",
-                        *written.found_exposure));
+        written.files.push_back(fmt::format(
+            "exposure of the .png: {0:+.1f} stops (--exposure {0:.1f})", *written.found_exposure));
     if (options.log == LogLevel::info) print_lines(written.files, options.log);
     faults.finish();
 }

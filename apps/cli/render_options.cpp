@@ -18,7 +18,9 @@ LogLevel read_log_level(const std::string& text, const std::string& flag) {
 }
 
 void add_file_flags(CLI::App& app, RenderOptions& o) {
-    app.add_option("SCENE", o.scene, "Scene file: pbrt-v4, glTF, or a part alone: OBJ, STL, PLY")->required()->type_name("FILE");
+    app.add_option("SCENE", o.scene, "Scene file: pbrt-v4, glTF, or a part alone: OBJ, STL, PLY")
+        ->required()
+        ->type_name("FILE");
     app.add_option("-o,--output,--outfile", o.outputs,
                    "Output file: .exr, .png, .film; may be repeated (default the scene's name for "
                    "it, .exr)")

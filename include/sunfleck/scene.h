@@ -34,8 +34,8 @@ struct SUNFLECK_API LightInfo {
 class SUNFLECK_API Scene {
 public:
     /// Reads a scene file and the files that it names: pbrt-v4, glTF, or OBJ, STL or PLY alone.
-    /// @throws Error  for what cannot be read; it tells the line and column. For a flag that is none,
-    /// or has no meaning for the format.
+    /// @throws Error  for what cannot be read; it tells the line and column. For a flag that is
+    /// none, or has no meaning for the format.
     static Scene load(const std::string& path, const SceneOptions& options = {});
 
     /// Reads a scene from text. @param name  stands for the file's in messages, and names of other

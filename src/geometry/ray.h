@@ -25,10 +25,10 @@ struct Hit {
     Vec3 shading_normal;  // unit, in the hemisphere of `normal`
     Vec3 tangent;         // dp/du, any length; for anisotropic roughness
     Vec2 uv;
-    Vec2 weights{0};  // of corners 1 and 2 of a triangle (barycentric); 0 on other shapes
-    float error = 0;              // bound of the distance to the exact surface, along each axis
-    float distance = 0;           // along the ray
-    std::uint32_t shape = 0;      // index into the list that the geometry was built from
+    Vec2 weights{0};          // of corners 1 and 2 of a triangle (barycentric); 0 on other shapes
+    float error = 0;          // bound of the distance to the exact surface, along each axis
+    float distance = 0;       // along the ray
+    std::uint32_t shape = 0;  // index into the list that the geometry was built from
     std::uint32_t primitive = 0;  // triangle or patch of a mesh, piece of a curve; 0 for quadrics
     std::uint32_t instance = kNone;  // index into Geometry's instances, or kNone
 };

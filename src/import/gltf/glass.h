@@ -4,21 +4,20 @@
 // every edge two triangles share has an inside, so its glass is solid; any other is a pane.
 #pragma once
 
+#include "geometry/closed_surface.h"
 #include "geometry/triangle_mesh.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace sunfleck::engine {
 
-/// Returns, of each triangle, whether it is part of a closed component. Vertices at one place are
-/// one vertex.
+/// Returns which triangles of each mesh are parts of closed components, and which of them face the
+/// wrong way. Vertices at one place are one vertex.
 /// @param meshes  all primitives of a mesh together, because they may close each other.
-std::vector<std::vector<bool>> closed_triangles(const std::vector<const TriangleMesh*>& meshes);
+std::vector<SurfaceSides> sides_of_primitives(const std::vector<const TriangleMesh*>& meshes);
 
-/// Returns the mean length of straight ways through a closed mesh, four times its volume over its
-/// area (Cauchy's theorem for convex bodies).
-double mean_chord(const TriangleMesh& mesh);
+/// Turns triangles, with the normals of their vertices. @param reversed  per triangle.
+void turn_triangles(TriangleMesh& mesh, const std::vector<bool>& reversed);
 
 /// Returns the absorption by which so much of each colour is left after a distance (Beer's law).
 /// @param distance  positive. @param left  at least a millionth counts.

@@ -1,7 +1,6 @@
 // Primitives become shapes.
 #include "import/gltf/shapes.h"
 
-#include "import/gltf/glass.h"
 #include "math/trigonometry.h"
 
 #include <algorithm>
@@ -65,16 +64,16 @@ std::vector<ShapeDescription> GltfShapes::of(const GltfNode& node, const JsonPla
     std::vector<Part> parts = parts_of(node, mesh);
     const bool has_glass = std::any_of(parts.begin(), parts.end(),
                                        [](const Part& p) { return p.look->glass.has_value(); });
-    std::vector<std::vector<bool>> closed;
+    std::vector<SurfaceSides> sides;
     if (has_glass) {
         std::vector<const TriangleMesh*> meshes;
         for (const Part& part : parts) meshes.push_back(&part.mesh);
-        closed = closed_triangles(meshes);
+        sides = sides_of_primitives(meshes);
     }
     std::vector<ShapeDescription> shapes;
     for (std::size_t i = 0; i < parts.size(); ++i)
         if (parts[i].look->glass)
-            add_glass(parts[i], closed[i], shapes);
+            add_glass(parts[i], sides[i], shapes);
         else
             shapes.push_back(shape_of(parts[i], std::move(parts[i].mesh)));
     return shapes;
@@ -91,8 +90,9 @@ ShapeDescription GltfShapes::shape_of(const Part& part, TriangleMesh mesh) {
     return shape;
 }
 
-void GltfShapes::add_glass(const Part& part, const std::vector<bool>& closed,
+void GltfShapes::add_glass(Part& part, const SurfaceSides& sides,
                            std::vector<ShapeDescription>& shapes) {
+    const std::vector<bool>& closed = sides.is_closed;
     const bool all_closed = std::all_of(closed.begin(), closed.end(), [](bool c) { return c; });
     std::vector<bool> solid = closed;
     if (rule_ != GlassRule::automatic) solid.assign(closed.size(), rule_ == GlassRule::solid);
@@ -103,6 +103,7 @@ void GltfShapes::add_glass(const Part& part, const std::vector<bool>& closed,
         solid.assign(closed.size(), false);
     std::vector<bool> thin = solid;
     thin.flip();
+    if (!part.look->is_of_vertices) turn_triangles(part.mesh, sides.is_reversed);
     TriangleMesh inside = chosen_triangles(part.mesh, solid);
     TriangleMesh panes = chosen_triangles(part.mesh, thin);
     if (!panes.triangles.empty()) shapes.push_back(pane_of(part, std::move(panes)));
@@ -125,7 +126,7 @@ ShapeDescription GltfShapes::solid_of(const Part& part, TriangleMesh mesh, bool 
     ++solid_glass_;
     const GltfLook::Glass& glass = *part.look->glass;
     Vec3d absorption = glass.absorption;
-    const double chord = is_closed ? mean_chord(mesh) : 0;
+    const double chord = is_closed ? mean_chord_of(mesh.positions, mesh.triangles) : 0;
     if (chord > 0) absorption += absorption_over(chord, glass.colour);
     if (chord > 0 && glass.has_texture)
         scene_.warnings.add(part.where,

@@ -1,6 +1,7 @@
 // Shapes of a node's mesh, with their materials; glass divided into solid and thin.
 #pragma once
 
+#include "import/gltf/glass.h"
 #include "import/gltf/materials.h"
 #include "import/gltf/meshes.h"
 
@@ -31,8 +32,7 @@ private:
 
     std::vector<Part> parts_of(const GltfNode& node, const JsonPlace& mesh);
     static ShapeDescription shape_of(const Part& part, TriangleMesh mesh);
-    void add_glass(const Part& part, const std::vector<bool>& closed,
-                   std::vector<ShapeDescription>& shapes);
+    void add_glass(Part& part, const SurfaceSides& sides, std::vector<ShapeDescription>& shapes);
     ShapeDescription pane_of(const Part& part, TriangleMesh mesh);
     ShapeDescription solid_of(const Part& part, TriangleMesh mesh, bool is_closed);
 

@@ -118,8 +118,7 @@ private:
         } else if (option == "-mm") {
             const double base = finite();
             const double gain = finite();
-            if (base != 0 || gain != 1)
-                remark("has base and gain (-mm), which are left out", word);
+            if (base != 0 || gain != 1) remark("has base and gain (-mm), which are left out", word);
         } else if (option == "-bm") {
             map.bump = finite();
         } else if (option == "-clamp") {

@@ -13,11 +13,11 @@
 namespace sunfleck::engine {
 
 /// Reads x y z of "vertex" and, if present, nx ny nz and one pair of u v, s t, texture_u texture_v,
-/// texture_s texture_t; red green blue; vertex_indices (or vertex_index) of "face". A quad becomes the triangles 0
-/// 1 2 and 0 2 3, and planar convex faces of more corners become a fan. Each of the following gives
-/// a remark: faces of fewer than three corners are left out, unused vertices that are not finite
-/// are left out, and texture coordinates that are not finite become (0, 0). Everything else in the
-/// file is skipped.
+/// texture_s texture_t; red green blue; vertex_indices (or vertex_index) of "face". A quad becomes
+/// the triangles 0 1 2 and 0 2 3, and planar convex faces of more corners become a fan. Each of the
+/// following gives a remark: faces of fewer than three corners are left out, unused vertices that
+/// are not finite are left out, and texture coordinates that are not finite become (0, 0).
+/// Everything else in the file is skipped.
 /// @param name  file name for errors.
 /// @throws Error  with line and column for faults of the header; with the element and its index
 /// (from 0) for faults of the body: truncated files, counts that the file cannot hold, numbers that

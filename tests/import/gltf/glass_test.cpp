@@ -41,10 +41,10 @@ void append(TriangleMesh& mesh, const TriangleMesh& other) {
 TEST(GltfGlass, a_component_is_closed_where_two_triangles_share_each_edge) {
     TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
     append(mesh, box({2, 0, 0}, {3, 1, 1}, true));
-    const auto closed = closed_triangles({&mesh});
-    ASSERT_EQ(closed[0].size(), 22U);
-    for (std::size_t i = 0; i < 22; ++i) EXPECT_EQ(closed[0][i], i < 12) << i;
-    EXPECT_EQ(chosen_triangles(mesh, closed[0]).triangles.size(), 12U);
+    const std::vector<bool> closed = sides_of_primitives({&mesh})[0].is_closed;
+    ASSERT_EQ(closed.size(), 22U);
+    for (std::size_t i = 0; i < 22; ++i) EXPECT_EQ(closed[i], i < 12) << i;
+    EXPECT_EQ(chosen_triangles(mesh, closed).triangles.size(), 12U);
 }
 
 TEST(GltfGlass, primitives_may_close_each_other) {
@@ -52,25 +52,33 @@ TEST(GltfGlass, primitives_may_close_each_other) {
     TriangleMesh lid;
     lid.positions = {{0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}};
     lid.triangles = {{0, 1, 2}, {0, 2, 3}};
-    EXPECT_FALSE(closed_triangles({&cup})[0][0]);
-    const auto both = closed_triangles({&cup, &lid});
-    EXPECT_TRUE(both[0][0]);
-    EXPECT_TRUE(both[1][1]);
+    EXPECT_FALSE(sides_of_primitives({&cup})[0].is_closed[0]);
+    const auto both = sides_of_primitives({&cup, &lid});
+    EXPECT_TRUE(both[0].is_closed[0]);
+    EXPECT_TRUE(both[1].is_closed[1]);
 }
 
-TEST(GltfGlass, triangles_without_area_do_not_open_a_surface) {
+TEST(GltfGlass, triangles_without_area_neither_open_a_surface_nor_are_panes) {
     TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
     mesh.triangles.push_back({0, 0, 1});
-    const auto closed = closed_triangles({&mesh});
-    EXPECT_TRUE(closed[0][0]);
-    EXPECT_FALSE(closed[0][12]);
+    const std::vector<bool> closed = sides_of_primitives({&mesh})[0].is_closed;
+    EXPECT_TRUE(closed[0]);
+    EXPECT_TRUE(closed[12]);
 }
 
-/// Four times the volume over the area.
-TEST(GltfGlass, straight_ways_have_cauchys_mean_length) {
-    EXPECT_NEAR(mean_chord(box({0, 0, 0}, {1, 1, 1})), 2.0 / 3, 1e-6);
-    EXPECT_NEAR(mean_chord(box({5, 5, 5}, {7, 8, 9})), 4 * 24.0 / (2 * (6 + 8 + 12)), 1e-5);
-    EXPECT_EQ(mean_chord({}), 0);
+/// Else light would meet glass around air.
+TEST(GltfGlass, that_faces_inwards_is_turned_with_its_normals) {
+    TriangleMesh mesh = box({0, 0, 0}, {1, 1, 1});
+    mesh.normals.assign(mesh.positions.size(), Vec3(1, 0, 0));
+    EXPECT_FALSE(sides_of_primitives({&mesh})[0].is_reversed[0]);
+    TriangleMesh inward = mesh;
+    turn_triangles(inward, std::vector<bool>(12, true));
+    EXPECT_EQ(inward.normals[0], Vec3(-1, 0, 0));
+    const std::vector<bool> reversed = sides_of_primitives({&inward})[0].is_reversed;
+    EXPECT_EQ(reversed, std::vector<bool>(12, true));
+    turn_triangles(inward, reversed);
+    EXPECT_EQ(inward.triangles, mesh.triangles);
+    EXPECT_EQ(inward.normals, mesh.normals);
 }
 
 }  // namespace
