@@ -162,10 +162,11 @@ void add_light(const Statement& statement, Reading& reading) {
                         : use_one_of(words_of(kRows), statement.type));
     }
     reading.log.count_word(statement.keyword, statement.type);
+    std::vector<Light> made = row->maker(statement, reading);  // before anything is noted
     const std::uint32_t stated_in = note_light(statement, reading);
     const MediumNumber around =
         reading.media.number_of(reading.state.outside_medium, statement.where);
-    for (Light& light : row->maker(statement, reading)) {
+    for (Light& light : made) {
         reading.scene.lights.push_back(std::move(light));
         reading.scene.stated_in.push_back(stated_in);
         reading.scene.media.at_lights.push_back({around, around});

@@ -78,8 +78,8 @@ TEST(Photometry, closes_the_circle_where_the_last_angle_is_left_out) {
 
 TEST(Photometry, is_multiplied_by_its_factors_and_dark_where_nothing_was_measured) {
     EXPECT_NEAR(made("0", "10 20 40", "0.9 0.5 0", "2").candela(0, 0), 9, 1e-12);
-    const std::string rest = " 1 -1 1 1 1 1 2 0 0 0 0.9 0.5 0 0 0 100";
-    EXPECT_NEAR(Photometry("IESNA91\nTILT=NONE\n" + rest, "lamp.ies").candela(0, 0), 45, 1e-9);
+    const std::string rest = "\n1 -1 1 1 1 1 2 0 0 0 0.9 0.5 0 0 0 100";
+    EXPECT_NEAR(Photometry("IESNA91\nTILT=NONE" + rest, "lamp.ies").candela(0, 0), 45, 1e-9);
     for (const char* line : {"IESNA:LM-63-2002", "IES:LM-63-2019"})
         EXPECT_NEAR(Photometry(line + ("\nTILT=NONE" + rest), "lamp.ies").candela(0, 0), 90, 1e-9);
     const Photometry down("TILT=NONE\n1,-1,1,2,1,1,2,0,0,0\n1,1,0\n0,80\n0\n5,5\n", "lamp.ies");

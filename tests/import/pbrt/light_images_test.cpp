@@ -16,6 +16,7 @@ using testing_support::pfm_file;
 const MemoryFiles kFiles = {
     {"sky.pfm", pfm_file("PF\n2 2\n-1\n", {1, 1, 1, 0, 4, 0, 0, 0, 2, 8, 0, 0}, true)},
     {"white.pfm", pfm_file("Pf\n64 64\n-1\n", std::vector<float>(4096, 1), true)},
+    {"strip.pfm", pfm_file("PF\n3 1\n-1\n", std::vector<float>(9, 1), true)},
     {"wide.pfm", pfm_file("PF\n2 1\n-1\n", std::vector<float>(6, 1), true)},
     {"odd.pfm", pfm_file("Pf\n1 1\n-1\n", {std::numeric_limits<float>::infinity()}, true)}};
 
@@ -171,10 +172,19 @@ TEST(LightPictures, behind_bad_portals_are_errors) {
         EXPECT_TRUE(contains(error(points), "not a rectangle")) << points;
 }
 
+TEST(LightPictures, of_latitude_and_longitude_are_taken_as_they_are_with_a_warning) {
+    const SceneDescription scene =
+        read_world("LightSource \"infinite\" \"string filename\" \"wide.pfm\"", kFiles);
+    const auto& light = std::get<ImageInfiniteLight>(scene.lights.at(0));
+    EXPECT_FALSE(light.map.has_equal_areas());
+    EXPECT_NEAR(light.environment_radiance(Vec3(0), {0, 0, 1}).factor, 1, 1e-6);
+    EXPECT_EQ(warnings_with(scene, "a map of latitude and longitude"), 1);
+}
+
 TEST(LightPictures, that_cannot_be_are_errors) {
     const auto error = [](const std::string& text) { return world_error(text, kFiles); };
     const std::string light = "LightSource \"infinite\" \"string filename\" ";
-    EXPECT_TRUE(contains(error(light + "\"wide.pfm\""), "2 x 1 texels"));
+    EXPECT_TRUE(contains(error(light + "\"strip.pfm\""), "3 x 1 texels"));
     const SceneDescription odd = read_world(light + "\"odd.pfm\"", kFiles);
     EXPECT_EQ(warnings_with(odd, "are not finite, the first at (0, 0)"), 1);
     EXPECT_TRUE(contains(error(light + "\"none.pfm\""), "none.pfm"));
