@@ -13,7 +13,7 @@ from pathlib import Path
 
 # Folders that are made, not written.
 SKIPPED = {".git", "build", "out", ".cache", "__pycache__"}
-SUFFIXES = {"", ".h", ".cpp", ".inc", ".py", ".sh", ".md", ".txt", ".cmake", ".json", ".pbrt",
+SUFFIXES = {"", ".h", ".cpp", ".py", ".sh", ".md", ".txt", ".cmake", ".json", ".pbrt",
             ".html", ".css", ".js", ".yml", ".yaml", ".toml", ".dict"}
 # Patterns are broken up where they would find themselves.
 BANNED = [(re.compile(pattern, re.IGNORECASE), why) for pattern, why in (
