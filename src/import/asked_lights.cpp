@@ -1,6 +1,7 @@
 // Daylight and environment pictures, by the request.
 #include "import/asked_lights.h"
 
+#include "light/lumens.h"
 #include "sky/compass.h"
 
 #include <fmt/format.h>
@@ -51,7 +52,7 @@ void add_asked_lights(SceneDescription& scene, const SceneRequest& request, Scen
         refuse_given(request, {"--north"}, "has a meaning for a sky or an environment alone",
                      "add --sun or --environment, or leave it out");
     // A pixel of one is 1 W/(m^2 sr) of white in pbrt's scenes, and 1 cd/m^2 in others.
-    const double unit = format == SceneFormat::pbrt ? 1 : 1 / 683.0;
+    const double unit = format == SceneFormat::pbrt ? 1 : 1 / kLumensPerWatt;
     if (has_daylight)
         add_daylight(scene, request.daylight, axes, {request.has_daylight ? "--sun" : scene.path});
     if (request.environment) {

@@ -93,10 +93,8 @@ DaylightLights lights_of(const Daylight& daylight, const Affine& axes) {
 }
 
 void add_daylight(SceneDescription& scene, const Daylight& daylight, const Affine& axes,
-                  const SourceLocation& where, float scale) {
+                  const SourceLocation& where) {
     DaylightLights lights = lights_of(daylight, axes);
-    lights.sky.curve = lights.sky.curve.scaled(scale);
-    lights.sun.curve = lights.sun.curve.scaled(scale);
     add_light(scene, {"sky", where}, std::move(lights.sky));
     if (lights.sun.curve.luminance() > 0) add_light(scene, {"sun", where}, std::move(lights.sun));
 }

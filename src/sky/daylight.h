@@ -31,8 +31,8 @@ struct DaylightLights {
 DaylightLights lights_of(const Daylight& daylight, const Affine& axes);
 
 /// Adds the lights to a scene.
-/// @param where  their statement's place. @param scale  of their light.
+/// @param where  their statement's place.
 void add_daylight(SceneDescription& scene, const Daylight& daylight, const Affine& axes,
-                  const SourceLocation& where, float scale = 1);
+                  const SourceLocation& where);
 
 }  // namespace sunfleck::engine

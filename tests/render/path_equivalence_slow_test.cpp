@@ -4,58 +4,12 @@
 //
 // A disc blurs light by order r^2, and by order r where a surface ends: each view shows one plane
 // away from its edges, with discs of a pixel's width.
-#include "support/renders.h"
-
-#include <gtest/gtest.h>
+#include "render/path_equivalence.h"
 
 namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
-
-constexpr int kSize = 40;
-
-/// Brightness over independent renders of a batch each.
-Estimate brightness(const Scene& scene, RenderSettings settings, int renders) {
-    return Estimate::over(renders, [&](int i) {
-        settings.seed = static_cast<std::uint64_t>(i);
-        const MeanPicture picture = render_mean(scene, settings, 16);
-        EXPECT_EQ(picture.statistics[Count::dropped_nonfinite], 0U);
-        return luminance(picture.mean());
-    });
-}
-
-struct Effort {
-    int path_renders;
-    int sampled_renders;
-    int photon_renders;
-    double sampled_tolerance = 0.005;
-    double photon_tolerance = 0.005;
-};
-
-void expect_equivalent(const Scene& scene, const Effort& effort) {
-    RenderSettings settings;
-    settings.transport.max_depth = 12;
-    settings.integrator = Integrator::path;
-    const Estimate path = brightness(scene, settings, effort.path_renders);
-    const auto expect = [&](const char* what, int renders, double tolerance) {
-        const Estimate photons = brightness(scene, settings, renders);
-        EXPECT_LT(worst_ratio(photons, path), tolerance)
-            << what << ": " << photons.mean / path.mean << ", errors "
-            << photons.error / photons.mean << ' ' << path.error / path.mean;
-    };
-    settings.integrator = Integrator::sppm;
-    settings.camera.radius_pixels = 1;
-    settings.photon.sampler = PhotonSampler::uniform;
-    settings.photon.paths_per_pass = 40'000;
-    settings.transport.direct = DirectLight::sampled;
-    expect("sampled", effort.sampled_renders, effort.sampled_tolerance);
-    settings.transport.indirect = IndirectLight::sampled;
-    expect("indirect light sampled", effort.sampled_renders, effort.sampled_tolerance);
-    settings.transport.indirect = IndirectLight::photons;
-    settings.transport.direct = DirectLight::photons;
-    expect("photons", effort.photon_renders, effort.photon_tolerance);
-}
 
 /// A room with coloured walls, open to one side, with an area light and a block.
 Scene diffuse_room(const std::string& look, double fov) {
@@ -133,22 +87,6 @@ TEST(PathEquivalence, floor_below_a_tank_of_ink) {
         "AreaLightSource \"diffuse\" \"rgb L\" [3 3 3]\nReverseOrientation\n" +
         diffuse("0.5 0.5 0.5") + quad("-.8 -.8 1.5  .8 -.8 1.5  .8 .8 1.5  -.8 .8 1.5"));
     expect_equivalent(scene, {40, 30, 30, 0.01, 0.01});
-}
-
-/// Varnished walls, smooth and satin: what lies below the coat is gathered, the coat followed.
-TEST(PathEquivalence, varnish_on_a_diffuse_wall) {
-    for (const char* roughness : {"0", "0.3"}) {
-        SCOPED_TRACE(roughness);
-        const Scene scene = scene_of(
-            view("0 -1.4 1.2  0 .2 .5  0 0 1", 25, kSize) + diffuse("0.5 0.5 0.5") +
-            quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0") +
-            "Material \"coateddiffuse\" \"rgb reflectance\" [0.7 0.3 0.2] \"float roughness\" " +
-            roughness + " \"bool remaproughness\" false\n" +
-            quad("-1 1 0  1 1 0  1 -.2 1.2  -1 -.2 1.2") +
-            "AreaLightSource \"diffuse\" \"rgb L\" [3 3 3]\nReverseOrientation\n" +
-            diffuse("0.5 0.5 0.5") + quad("-.8 -1.6 2.5  .8 -1.6 2.5  .8 0 2.5  -.8 0 2.5"));
-        expect_equivalent(scene, {90, 45, 120, 0.01, 0.01});
-    }
 }
 
 }  // namespace

@@ -1,10 +1,9 @@
 // Units of glTF: photometric, in metres.
 #pragma once
 
-namespace sunfleck::engine {
+#include "light/lumens.h"
 
-/// glTF has candela, lux and nits; ours are watts, of which as many lumens are seen at most.
-inline constexpr double kLumensPerWatt = 683;
+namespace sunfleck::engine {
 
 /// The most candela, lux or nits of a light: a float holds what becomes of it.
 inline constexpr double kMostLight = 1e30;

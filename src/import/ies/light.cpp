@@ -2,6 +2,7 @@
 #include "import/ies/light.h"
 
 #include "core/parallel.h"
+#include "light/lumens.h"
 #include "math/warp.h"
 
 namespace sunfleck::engine {
@@ -29,7 +30,8 @@ std::shared_ptr<const LightImage> intensity_map(const Photometry& photometry) {
 
 Spectrum per_candela(const Spectrum& colour) {
     const double luminance = colour.luminance();
-    return luminance > 0 ? colour.scaled(static_cast<float>(1 / (683 * luminance))) : colour;
+    return luminance > 0 ? colour.scaled(static_cast<float>(1 / (kLumensPerWatt * luminance)))
+                         : colour;
 }
 
 }  // namespace sunfleck::engine

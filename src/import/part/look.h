@@ -1,15 +1,13 @@
 // What a material makes of the surfaces of a part.
 #pragma once
 
+#include "light/lumens.h"
 #include "scene/description.h"
 
 #include <cstdint>
 #include <optional>
 
 namespace sunfleck::engine {
-
-/// A pixel of 1 is 1 cd/m2, and so is light (Ke) of 1.
-inline constexpr double kPartLumensPerWatt = 683;
 
 struct PartLook {
     std::uint32_t material = 0;  // index into SceneDescription::materials; of glass, where solid

@@ -209,7 +209,7 @@ private:
         constexpr double kMost = 1e30;
         if (!(std::max({ke.x, ke.y, ke.z}) > 0)) return {};
         AreaEmission light;
-        constexpr auto kScale = static_cast<float>(1 / kPartLumensPerWatt);
+        constexpr auto kScale = static_cast<float>(1 / kLumensPerWatt);
         light.radiance =
             Spectrum::rgb_illuminant(
                 Vec3(Vec3d(std::min(ke.x, kMost), std::min(ke.y, kMost), std::min(ke.z, kMost))))

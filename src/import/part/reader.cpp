@@ -180,7 +180,7 @@ SceneDescription read_part(const std::string& path, const ImportSettings& settin
     ObjMesh mesh = read_mesh(path);
     SceneDescription scene;
     scene.path = path;
-    scene.film.imaging_ratio = static_cast<float>(kPartLumensPerWatt);  // a pixel of 1 is 1 cd/m2
+    scene.film.imaging_ratio = static_cast<float>(kLumensPerWatt);  // a pixel of 1 is 1 cd/m2
     for (const std::string& remark : mesh.remarks) scene.warnings.add({path}, remark);
     PartFiles files(path);
     PartPictures pictures(files, scene.warnings);

@@ -6,6 +6,7 @@
 #include "import/pbrt/light_images.h"
 #include "import/pbrt/light_scale.h"
 #include "import/pbrt/reading.h"
+#include "light/lumens.h"
 
 #include <utility>
 
@@ -26,7 +27,8 @@ Light luminaire_light(const Statement& statement, Reading& reading) {
     const double at_one = 4 * kPiDouble * map->mean();
     const Spectrum colour = emission_of(statement, "I", reading);
     const Spectrum curve =
-        scaled_emission(statement, colour.scaled(1 / 683.0F), {"power", at_one / 683}, map->peak());
+        scaled_emission(statement, colour.scaled(static_cast<float>(1 / kLumensPerWatt)),
+                        {"power", at_one / kLumensPerWatt}, map->peak());
     return GoniometricLight{curve, Affine(reading.still_matrix(statement.where)).origin, map,
                             to_world};
 }
