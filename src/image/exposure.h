@@ -11,7 +11,8 @@ struct Exposure {
 };
 
 /// Returns the stops that show the picture's middle as middle grey, .18 of white: the mean of the
-/// logarithms of luminance, over all pixels but black ones; in tenths of a stop.
+/// logarithms of luminance, over all pixels but those below a hundredth of the mean of what is lit;
+/// in tenths of a stop.
 double automatic_stops(const Picture& picture);
 
 inline double stops_of(const Exposure& exposure, const Picture& picture) {

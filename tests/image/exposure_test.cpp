@@ -28,6 +28,13 @@ TEST(Exposure, takes_the_middle_of_bright_and_dark_and_no_black) {
     EXPECT_EQ(automatic_stops(even_picture({0, 0})), 0);
 }
 
+/// A lit thing before a background that is black but for a little noise.
+TEST(Exposure, is_not_of_what_is_nearly_black) {
+    std::vector<float> light(100, 1e-5F);
+    light.push_back(0.36F);
+    EXPECT_NEAR(automatic_stops(even_picture(light)), -1, 1e-9);
+}
+
 TEST(Exposure, that_is_given_is_kept) {
     EXPECT_EQ(stops_of({.stops = 3.5}, even_picture({7})), 3.5);
     EXPECT_EQ(stops_of({.is_automatic = true, .stops = 3.5}, even_picture({0.18F})), 0);
