@@ -6,6 +6,7 @@
 #pragma once
 
 #include "light/model.h"
+#include "math/trigonometry.h"
 
 namespace sunfleck::engine {
 
@@ -33,6 +34,12 @@ private:
     /// that of the limb.
     double brightness(double radius2) const;
 };
+
+/// Returns SunLight::versine of a disc. @param radius  angular, in degrees.
+inline double versine_of(double radius) {
+    const double half = sin_cos_2pi(radius / 2 / 360).sin;
+    return 2 * half * half;
+}
 
 /// Returns the coefficients times the number that makes SunLight::darkening of them.
 std::array<double, 6> normalised_darkening(std::array<double, 6> coefficients);

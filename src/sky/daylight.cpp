@@ -3,7 +3,7 @@
 
 #include "core/parallel.h"
 #include "math/warp.h"
-#include "scene/add_light.h"
+#include "scene/additions.h"
 #include "sky/curves.h"
 #include "sky/sun_disc.h"
 

@@ -3,7 +3,7 @@
 
 #include "core/input_file.h"
 #include "image/read_image.h"
-#include "scene/add_light.h"
+#include "scene/additions.h"
 
 namespace sunfleck::engine {
 

@@ -1,19 +1,12 @@
 // Means over the disc, by the powers of the darkening polynomial.
 #include "sky/sun_disc.h"
 
-#include "math/trigonometry.h"
 #include "sky/curves.h"
 
 namespace sunfleck::engine {
 namespace {
 
 constexpr double kRadius = 0.255;  // degrees
-
-/// Returns 1 - cos of the disc's radius.
-double disc_versine() {
-    const double half = sin_cos_2pi(kRadius / 2 / 360).sin;
-    return 2 * half * half;
-}
 
 }  // namespace
 
@@ -23,7 +16,7 @@ SkyCurve sun_irradiance(const SkyModel& model, double elevation) {
     for (std::size_t k = 0; k < darkening.size(); ++k)
         mean = sum_of(mean, 2 / (static_cast<double>(k) + 2), darkening[k]);
     const SkyCurve radiance = product_of(model.sun(elevation), mean);
-    return sum_of({}, 2 * kPiDouble * disc_versine(), radiance);
+    return sum_of({}, 2 * kPiDouble * versine_of(kRadius), radiance);
 }
 
 SunLight sun_disc(const SkyModel& model, double elevation, const Vec3d& direction) {
@@ -37,7 +30,7 @@ SunLight sun_disc(const SkyModel& model, double elevation, const Vec3d& directio
     SunLight sun;
     sun.curve = spectrum_of(sun_irradiance(model, elevation));
     sun.direction = direction;
-    sun.versine = disc_versine();
+    sun.versine = versine_of(kRadius);
     sun.darkening = normalised_darkening(of_luminance);
     return sun;
 }

@@ -129,18 +129,16 @@ std::string GltfDocument::read(const JsonPlace& uri) {
         if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
         return bytes;
     } catch (const MissingFile& missing) {
-        const auto is_it = [&](const MissingFile& known) { return known.path() == path; };
-        if (std::none_of(missing_.begin(), missing_.end(), is_it)) missing_.push_back(missing);
+        missing_.note(missing);
         return {};
     }
 }
 
 void GltfDocument::check_missing() const {
-    if (missing_.empty()) return;
-    if (missing_.size() == 1) throw missing_.front();
-    std::string all;
-    for (const MissingFile& file : missing_) all += (all.empty() ? "" : "; ") + file.line();
-    throw Error({path_}, std::to_string(missing_.size()) + " files are missing: " + all,
+    const std::size_t count = missing_.files().size();
+    if (count == 0) return;
+    if (count == 1) throw MissingFile(missing_.files().front());
+    throw Error({path_}, std::to_string(count) + " files are missing: " + missing_.line(),
                 "put them beside the scene");
 }
 
@@ -151,7 +149,7 @@ void GltfDocument::load_buffers() {
         const auto packed = buffer.extension(kMeshopt);
         const bool is_void = !uri && packed && packed->flag("fallback", false);
         buffers_.push_back(uri ? read(*uri) : is_void ? std::string() : std::move(chunk_));
-        const bool is_missing = (!missing_.empty() && buffers_.back().empty()) || is_void;
+        const bool is_missing = (!missing_.files().empty() && buffers_.back().empty()) || is_void;
         if (buffers_.back().size() < size && !is_missing)
             buffer.refuse("has " + std::to_string(buffers_.back().size()) + " bytes of " +
                               std::to_string(size),

@@ -5,7 +5,7 @@
 // Source: Khronos Group, glTF 2.0 Specification (2021), sections 3.6 and 4.
 #pragma once
 
-#include "core/input_file.h"
+#include "core/missing_files.h"
 #include "import/gltf/json_place.h"
 
 #include <nlohmann/json.hpp>
@@ -67,7 +67,7 @@ private:
     std::vector<std::string> buffers_;                   // as many as "buffers" has
     std::map<const void*, std::string> unpacked_views_;  // by their identity
     std::vector<std::string> files_;
-    std::vector<MissingFile> missing_;
+    MissingFiles missing_;
 };
 
 }  // namespace sunfleck::engine

@@ -3,9 +3,7 @@
 
 #include "geometry/weld.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdint>
 
 namespace sunfleck::engine {
@@ -58,14 +56,6 @@ void turn_triangles(TriangleMesh& mesh, const std::vector<bool>& reversed) {
             is_turned[vertex] = true;
         }
     }
-}
-
-Vec3d absorption_over(double distance, const Vec3d& left) {
-    constexpr double kDarkest = 1e-6;
-    Vec3d absorption;
-    for (int c = 0; c < 3; ++c)
-        absorption[c] = -std::log(std::clamp(left[c], kDarkest, 1.0)) / distance;
-    return absorption;
 }
 
 TriangleMesh chosen_triangles(const TriangleMesh& mesh, const std::vector<bool>& chosen) {

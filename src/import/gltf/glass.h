@@ -19,10 +19,6 @@ std::vector<SurfaceSides> sides_of_primitives(const std::vector<const TriangleMe
 /// Turns triangles, with the normals of their vertices. @param reversed  per triangle.
 void turn_triangles(TriangleMesh& mesh, const std::vector<bool>& reversed);
 
-/// Returns the absorption by which so much of each colour is left after a distance (Beer's law).
-/// @param distance  positive. @param left  at least a millionth counts.
-Vec3d absorption_over(double distance, const Vec3d& left);
-
 /// Returns the triangles that are chosen, with all vertices.
 TriangleMesh chosen_triangles(const TriangleMesh& mesh, const std::vector<bool>& chosen);
 

@@ -3,6 +3,7 @@
 
 #include "import/gltf/units.h"
 #include "math/trigonometry.h"
+#include "scene/additions.h"
 
 #include <string>
 
@@ -53,10 +54,9 @@ void add_punctual_lights(const GltfDocument& document, const GltfNodes& nodes,
         if (!extension) use->refuse("names a light, but the file has none", "export it again");
         const JsonPlace lights = extension->at("lights");
         const JsonPlace light = lights[use->at("light").index(lights.size(), "light")];
-        scene.stated_in.push_back(static_cast<std::uint32_t>(scene.light_statements.size()));
-        scene.light_statements.push_back(
-            {"light \"" + light.text("name", light.at("type").text()) + '"', light.where()});
-        scene.lights.push_back(made_light(light, node.to_world));
+        add_light(scene,
+                  {"light \"" + light.text("name", light.at("type").text()) + '"', light.where()},
+                  made_light(light, node.to_world));
     }
 }
 

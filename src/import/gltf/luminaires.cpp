@@ -4,7 +4,7 @@
 #include "import/gltf/units.h"
 #include "import/gltf/uri.h"
 #include "import/ies/light.h"
-#include "scene/add_light.h"
+#include "scene/additions.h"
 
 #include <map>
 #include <memory>

@@ -4,6 +4,8 @@
 #include "import/gltf/glass.h"
 #include "import/gltf/units.h"
 #include "light/surface_image.h"
+#include "scene/absorption.h"
+#include "scene/additions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -135,8 +137,7 @@ const GltfLook& GltfMaterials::look_of(const JsonPlace& primitive, const GltfVer
 }
 
 MediumNumber GltfMaterials::medium_of(const Vec3d& absorption) {
-    scene_.media.absorption.push_back(Spectrum::rgb_unbounded(Vec3(absorption)));
-    return static_cast<MediumNumber>(scene_.media.absorption.size() - 1);
+    return add_medium(scene_, Spectrum::rgb_unbounded(Vec3(absorption)));
 }
 
 BumpMap GltfMaterials::normal_map_of(const JsonPlace& material, const GltfVertices& vertices) {

@@ -1,6 +1,8 @@
 // Plastic and metal, layer by layer.
 #include "import/gltf/opaque.h"
 
+#include "scene/additions.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -44,9 +46,7 @@ double index_with(double ior, double factor) {
 }  // namespace
 
 std::uint32_t GltfSurface::add(Material material) {
-    scene_.materials.push_back(std::move(material));
-    scene_.bump_maps.push_back(bump_map_);
-    return static_cast<std::uint32_t>(scene_.materials.size() - 1);
+    return add_material(scene_, std::move(material), bump_map_);
 }
 
 std::uint32_t GltfSurface::add_opaque(const GltfPbr& pbr,

@@ -2,6 +2,7 @@
 #include "import/gltf/shapes.h"
 
 #include "math/trigonometry.h"
+#include "scene/absorption.h"
 
 #include <algorithm>
 #include <string>

@@ -1,7 +1,8 @@
 // Scanning of numbers, with their places.
 #include "import/ies/numbers.h"
 
-#include <algorithm>
+#include "core/text_cursor.h"
+
 #include <charconv>
 #include <cmath>
 
@@ -48,10 +49,7 @@ void IesNumbers::refuse(const std::string& what, const std::string& mend) const 
 }
 
 SourceLocation IesNumbers::location() const {
-    const std::string_view before = text_.substr(0, last_);
-    const auto line = std::count(before.begin(), before.end(), '\n');
-    const std::size_t begin = before.rfind('\n') + 1;  // npos + 1 is 0
-    return {name_, static_cast<int>(line) + 1, static_cast<int>(last_ - begin) + 1};
+    return TextCursor(text_, name_).location(last_);
 }
 
 }  // namespace sunfleck::engine

@@ -46,21 +46,18 @@ std::optional<PartFile> PartFiles::find(const std::string& name, const std::stri
         if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
         return file;
     } catch (const MissingFile& missing) {
-        const auto is_it = [&](const MissingFile& known) { return known.path() == path; };
-        if (std::none_of(missing_.begin(), missing_.end(), is_it)) missing_.push_back(missing);
+        missing_.note(missing);
         return std::nullopt;
     }
 }
 
 void PartFiles::check_missing(const std::string& mend) const {
-    if (missing_.empty()) return;
-    std::string all;
-    for (const MissingFile& file : missing_) all += (all.empty() ? "" : "; ") + file.line();
-    const bool is_one = missing_.size() == 1;
+    const std::size_t count = missing().size();
+    if (count == 0) return;
+    const bool is_one = count == 1;
     throw Error({files_.front()},
-                (is_one ? "a file is missing: "
-                        : std::to_string(missing_.size()) + " files are missing: ") +
-                    all,
+                (is_one ? "a file is missing: " : std::to_string(count) + " files are missing: ") +
+                    missing_.line(),
                 (is_one ? "put it there" : "put them there") + mend);
 }
 

@@ -1,7 +1,7 @@
 // PartFiles: the files that a part names: libraries of materials, and their pictures.
 #pragma once
 
-#include "core/input_file.h"
+#include "core/missing_files.h"
 
 #include <optional>
 #include <string>
@@ -31,14 +31,14 @@ public:
 
     /// @param mend  what else would help. @throws Error  that names all files that are missing.
     void check_missing(const std::string& mend) const;
-    const std::vector<MissingFile>& missing() const { return missing_; }
+    const std::vector<MissingFile>& missing() const { return missing_.files(); }
 
     /// Returns the paths of all files that were read, each once.
     const std::vector<std::string>& files() const { return files_; }
 
 private:
     std::vector<std::string> files_;
-    std::vector<MissingFile> missing_;
+    MissingFiles missing_;
 };
 
 }  // namespace sunfleck::engine

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "light/lumens.h"
+#include "scene/additions.h"
 #include "scene/description.h"
 
 #include <cstdint>
@@ -22,20 +23,5 @@ struct PartLook {
     };
     std::optional<Glass> glass{};
 };
-
-/// Adds a material to a scene. @return its index.
-inline std::uint32_t add_material(SceneDescription& scene, Material material,
-                                  const BumpMap& bump_map = {}) {
-    scene.materials.push_back(std::move(material));
-    scene.bump_maps.resize(scene.materials.size());
-    scene.bump_maps.back() = bump_map;
-    return static_cast<std::uint32_t>(scene.materials.size() - 1);
-}
-
-/// Adds a medium. @param absorption  per metre. @return its number.
-inline MediumNumber add_medium(SceneDescription& scene, const Spectrum& absorption) {
-    scene.media.absorption.push_back(absorption);
-    return static_cast<MediumNumber>(scene.media.absorption.size() - 1);
-}
 
 }  // namespace sunfleck::engine

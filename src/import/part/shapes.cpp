@@ -5,6 +5,7 @@
 #include "geometry/middle.h"
 #include "geometry/weld.h"
 #include "image/srgb.h"
+#include "scene/absorption.h"
 
 #include <algorithm>
 #include <cmath>
@@ -254,16 +255,7 @@ private:
             placement_.metres_per_unit * mean_chord_of(mesh.positions, mesh.triangles);
         if (glass.filter == Vec3d(1) || !(chord > 0)) return;
         shape.media.inside =
-            add_medium(scene_, Spectrum::rgb_unbounded(Vec3(absorption_of(glass.filter, chord))));
-    }
-
-    /// Returns the absorption that leaves so much after a distance (Beer's law).
-    static Vec3d absorption_of(const Vec3d& left, double distance) {
-        constexpr double kDarkest = 1e-6;
-        Vec3d absorption;
-        for (int c = 0; c < 3; ++c)
-            absorption[c] = -std::log(std::clamp(left[c], kDarkest, 1.0)) / distance;
-        return absorption;
+            add_medium(scene_, Spectrum::rgb_unbounded(Vec3(absorption_over(chord, glass.filter))));
     }
 
     SceneDescription& scene_;

@@ -29,22 +29,20 @@ NamedFile SceneFiles::read(const std::string& name, const SourceLocation& from) 
 }
 
 void SceneFiles::note_missing(const MissingFile& missing) {
-    const bool known = std::any_of(missing_.begin(), missing_.end(), [&](const MissingFile& other) {
-        return other.path() == missing.path();
-    });
-    if (!known) missing_.push_back(missing);
+    missing_.note(missing);
 }
 
 void SceneFiles::check_missing() const {
     constexpr std::size_t kMostListed = 20;
-    if (missing_.empty()) return;
-    if (missing_.size() == 1) throw MissingFile(missing_[0]);
+    const std::vector<MissingFile>& missing = missing_.files();
+    if (missing.empty()) return;
+    if (missing.size() == 1) throw MissingFile(missing[0]);
     std::string list;
-    for (std::size_t i = 0; i < std::min(missing_.size(), kMostListed); ++i)
-        list += "\n  " + missing_[i].line();
-    if (missing_.size() > kMostListed)
-        list += "\n  and " + std::to_string(missing_.size() - kMostListed) + " more";
-    throw Error(missing_[0].where(), std::to_string(missing_.size()) + " files are missing",
+    for (std::size_t i = 0; i < std::min(missing.size(), kMostListed); ++i)
+        list += "\n  " + missing[i].line();
+    if (missing.size() > kMostListed)
+        list += "\n  and " + std::to_string(missing.size() - kMostListed) + " more";
+    throw Error(missing[0].where(), std::to_string(missing.size()) + " files are missing",
                 "check their names:" + list);
 }
 

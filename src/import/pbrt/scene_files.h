@@ -2,6 +2,7 @@
 // error.
 #pragma once
 
+#include "core/missing_files.h"
 #include "import/pbrt/file_access.h"
 #include "import/pbrt/import_log.h"
 
@@ -68,7 +69,7 @@ private:
     ImportLog& log_;
     std::vector<std::string> paths_;
     std::set<std::string> known_paths_;
-    std::vector<MissingFile> missing_;
+    MissingFiles missing_;
 };
 
 }  // namespace sunfleck::engine

@@ -5,7 +5,6 @@
 #include "import/pbrt/light_images.h"
 #include "import/pbrt/light_scale.h"
 #include "import/pbrt/reading.h"
-#include "math/trigonometry.h"
 #include "sky/daylight.h"
 
 #include <fmt/format.h>
@@ -31,8 +30,7 @@ Light sun_light(const Statement& statement, Reading& reading) {
     sun.curve =
         scaled_emission(statement, emission_of(statement, "L", reading), {"illuminance", 1});
     sun.direction = direction_of(statement, reading.still_matrix(statement.where));
-    const double half = sin_cos_2pi(bounded(statement, "angle", 0.53, kLeast, 180) / 4 / 360).sin;
-    sun.versine = 2 * half * half;
+    sun.versine = versine_of(bounded(statement, "angle", 0.53, kLeast, 180) / 2);
     return sun;
 }
 

@@ -1,0 +1,33 @@
+// Adds lights, materials and media to a scene's description, as importers do one by one.
+#pragma once
+
+#include "scene/description.h"
+
+#include <utility>
+
+namespace sunfleck::engine {
+
+/// Adds a light with a statement of its own.
+inline void add_light(SceneDescription& scene, LightStatement statement, Light light) {
+    scene.stated_in.resize(scene.lights.size(), kNone);
+    scene.stated_in.push_back(static_cast<std::uint32_t>(scene.light_statements.size()));
+    scene.light_statements.push_back(std::move(statement));
+    scene.lights.push_back(std::move(light));
+}
+
+/// Adds a material. @return its index.
+inline std::uint32_t add_material(SceneDescription& scene, Material material,
+                                  const BumpMap& bump_map = {}) {
+    scene.materials.push_back(std::move(material));
+    scene.bump_maps.resize(scene.materials.size());
+    scene.bump_maps.back() = bump_map;
+    return static_cast<std::uint32_t>(scene.materials.size() - 1);
+}
+
+/// Adds a medium. @param absorption  per metre. @return its number.
+inline MediumNumber add_medium(SceneDescription& scene, const Spectrum& absorption) {
+    scene.media.absorption.push_back(absorption);
+    return static_cast<MediumNumber>(scene.media.absorption.size() - 1);
+}
+
+}  // namespace sunfleck::engine
