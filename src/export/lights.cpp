@@ -52,6 +52,13 @@ bool is_even(const LightImage& image) {
     return true;
 }
 
+/// Returns where the edge of pbrt-v4's spot begins, which is a smoothstep: for a square edge there
+/// where the power is the same, if it can be.
+double cos_start_of(const SpotLight& light) {
+    if (light.edge == SpotEdge::smoothstep) return light.cos_start;
+    return std::min(1.0, light.cos_start + (light.cos_start - light.cos_total) / 3);
+}
+
 struct StatementOfLight {
     PictureFiles& pictures;
     Warnings& warnings;
@@ -67,9 +74,13 @@ struct StatementOfLight {
     std::string operator()(const SpotLight& light) const {
         StatementText statement("LightSource", "spot");
         statement.add("point3", "to", light.axis);
+        if (light.edge == SpotEdge::square)
+            warnings.add(where,
+                         "pbrt-v4's spot has another soft edge: it differs by up to 0.3 of "
+                         "the intensity on the axis");
         const double cone = angle_of(light.cos_total);
         statement.add("coneangle", cone);
-        statement.add("conedeltaangle", cone - angle_of(light.cos_start));
+        statement.add("conedeltaangle", cone - angle_of(cos_start_of(light)));
         add_emission(statement, "I", light.curve);
         return placed(moved_to(light.position), statement);
     }

@@ -1,4 +1,4 @@
-// SpotLight: a point that emits into a cone with a smooth edge (pbrt-v4's falloff).
+// SpotLight: a point that emits into a cone with a soft edge, pbrt-v4's or glTF's.
 //
 // Spectrum: radiant intensity on the axis, W/sr. Photon directions are sampled exactly by
 // intensity, so that Emission::factor is the power. They change fast with the dimensions at the
@@ -9,6 +9,13 @@
 
 namespace sunfleck::engine {
 
+/// How the intensity decreases over the edge: with t, which is linear in the cosine and decreases
+/// from 1 to 0.
+enum class SpotEdge {
+    smoothstep,  // t^2 (3 - 2 t), pbrt-v4
+    square       // t^2, KHR_lights_punctual of glTF
+};
+
 struct SpotLight {
     static constexpr std::string_view name = "spot";
     static constexpr bool comes_from_afar = false;
@@ -16,14 +23,16 @@ struct SpotLight {
     Vec3d position;
     Vec3d axis;            // unit
     double cos_total = 0;  // no light outside
-    double cos_start = 1;  // full intensity inside; smoothstep of the cosine in between
+    double cos_start = 1;  // full intensity inside; the edge is in between
+    SpotEdge edge = SpotEdge::smoothstep;
 
     Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
                                               const SceneSphere&) const;
-    /// Returns 2 pi ((1 - cos_start) + (cos_start - cos_total) / 2), exact for the smoothstep.
+    /// Returns 2 pi ((1 - cos_start) + (cos_start - cos_total) m), where m, the mean over the edge,
+    /// is 1/2 for the smoothstep and 1/3 for the square: exact.
     double power(const SceneSphere&) const;
     /// Returns the intensity over that on the axis, in [0,1]. @param cos_angle  of direction and
     /// axis.

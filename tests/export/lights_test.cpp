@@ -86,6 +86,19 @@ Shape "disk"
     EXPECT_LT((thrown_before.to_world.y - thrown_after.to_world.y).length(), 1e-12);
 }
 
+/// pbrt-v4 has one kind of edge: another is told, and keeps its power.
+TEST(ExportedLights, with_another_soft_edge_keep_their_power) {
+    SceneDescription first = read_world("Shape \"sphere\"");
+    SpotLight spot{Spectrum::constant(1), Vec3d(0, 0, 3), Vec3d(0, 0, -1), 0.7, 0.9};
+    spot.edge = SpotEdge::square;
+    first.lights.emplace_back(spot);
+    EXPECT_FALSE(pbrt_scene(first, "cup.pbrt").warnings.entries().empty());
+    const SceneDescription second = again(first);
+    const auto& after = std::get<SpotLight>(second.lights.at(0));
+    EXPECT_NEAR(after.power({}), spot.power({}), 1e-9);
+    EXPECT_NEAR(after.cos_total, 0.7, 1e-9);
+}
+
 TEST(ExportedLights, with_a_sun_have_its_irradiance_and_colour) {
     SceneDescription first = read_world("Shape \"sphere\"");
     SunLight sun;

@@ -255,6 +255,11 @@ inline std::vector<LightExample> light_examples() {
     all.push_back(plain_example("spot", spot));
     spot.cos_start = spot.cos_total = std::cos(0.35);
     all.push_back(plain_example("sharp_spot", spot));
+    spot.cos_start = std::cos(0.1);
+    spot.cos_total = std::cos(0.8);
+    spot.edge = SpotEdge::square;
+    all.push_back(plain_example("spot_with_square_edge", spot));
+    spot.edge = SpotEdge::smoothstep;
     spot.cos_start = 1;
     spot.cos_total = -0.5;
     all.push_back(plain_example("spot_without_core", spot));

@@ -11,8 +11,9 @@
 namespace sunfleck::engine {
 namespace {
 
-SpotLight spot(double cos_start, double cos_total) {
+SpotLight spot(double cos_start, double cos_total, SpotEdge edge = SpotEdge::smoothstep) {
     SpotLight light;
+    light.edge = edge;
     light.position = Vec3d(1, 2, 3);
     light.axis = Vec3d(0, 0, -1);
     light.cos_start = cos_start;
@@ -29,6 +30,19 @@ TEST(SpotLight, falloff_is_the_smoothstep_of_the_cosine) {
     EXPECT_EQ(light.falloff(0.5), 0);
     EXPECT_EQ(light.falloff(-1), 0);
     EXPECT_EQ(spot(0.5, 0.5).falloff(0.5), 1);
+}
+
+/// The formula that KHR_lights_punctual recommends.
+TEST(SpotLight, falloff_may_be_the_square_of_the_cosine) {
+    const double inner = 0.3;
+    const double outer = 0.8;
+    const SpotLight light = spot(std::cos(inner), std::cos(outer), SpotEdge::square);
+    const double scale = 1 / std::max(0.001, std::cos(inner) - std::cos(outer));
+    const double offset = -std::cos(outer) * scale;
+    for (double angle = 0; angle < 1.2; angle += 0.05) {
+        const double root = std::clamp(std::cos(angle) * scale + offset, 0.0, 1.0);
+        EXPECT_NEAR(light.falloff(std::cos(angle)), root * root, 1e-14) << angle;
+    }
 }
 
 TEST(SpotLight, irradiance_is_intensity_over_distance_squared) {
@@ -49,15 +63,16 @@ TEST(SpotLight, irradiance_is_intensity_over_distance_squared) {
 }
 
 TEST(SpotLight, power_is_the_integral_of_the_falloff) {
-    for (const auto& [start, total] :
-         {std::pair(0.9, 0.5), {1.0, -0.3}, {0.6, 0.6}, {1.0, 0.999}}) {
-        const SpotLight light = spot(start, total);
-        constexpr int kCells = 1 << 20;
-        double sum = 0;
-        for (int i = 0; i < kCells; ++i) sum += light.falloff(2 * (i + 0.5) / kCells - 1);
-        const double integral = sum * 2 / kCells * 2 * kPiDouble;
-        EXPECT_NEAR(light.power({}) / integral, 1, 2e-4) << start << " " << total;
-    }
+    for (const SpotEdge edge : {SpotEdge::smoothstep, SpotEdge::square})
+        for (const auto& [start, total] :
+             {std::pair(0.9, 0.5), {1.0, -0.3}, {0.6, 0.6}, {1.0, 0.999}}) {
+            const SpotLight light = spot(start, total, edge);
+            constexpr int kCells = 1 << 20;
+            double sum = 0;
+            for (int i = 0; i < kCells; ++i) sum += light.falloff(2 * (i + 0.5) / kCells - 1);
+            const double integral = sum * 2 / kCells * 2 * kPiDouble;
+            EXPECT_NEAR(light.power({}) / integral, 1, 2e-4) << start << " " << total;
+        }
 }
 
 /// The share of photons inside each cosine is the integral of the falloff: to rounding, not noise.
@@ -94,6 +109,24 @@ TEST(SpotLight, the_rim_is_reached_and_never_passed) {
         const double t = (-e.direction.z - 0.5) / 0.4;
         EXPECT_GE(t, -3e-16);
         EXPECT_NEAR(t * t * t - t * t * t * t / 2, outside / 0.4, 1e-15 + 1e-9 * outside) << gap;
+    }
+}
+
+/// As for the smoothstep, with t^3 / 3 for the integral from the outside.
+TEST(SpotLight, directions_are_exact_quantiles_of_the_square) {
+    for (const auto& [start, total] :
+         {std::pair(0.9, 0.5), {1.0, -0.3}, {0.6, 0.6}, {1.0, 0.999}, {0.99999, 0.99998}}) {
+        const SpotLight light = spot(start, total, SpotEdge::square);
+        const double edge = start - total;
+        for (int i = 1; i < 4000; ++i) {
+            const double r = i / 4000.0;
+            const Emission e = light.sample_emission({0.1, 0.2, (1 + r) / 2, 0.5}, {});
+            const double c = -e.direction.z;
+            const double t = edge > 0 ? std::min((c - total) / edge, 1.0) : 1;
+            const double inside = 1 - start + edge / 3 * (1 - t * t * t);
+            const double share = (c >= start ? 1 - c : inside) / (1 - start + edge / 3);
+            ASSERT_NEAR(share, r * r, 1e-14 + 1e-15 / (1 - total)) << start << " " << total;
+        }
     }
 }
 
