@@ -156,7 +156,10 @@ std::vector<Element> all_of(const GltfDocument& document, const Replaced& replac
         // Zeros; no more of them than the file could fill.
         constexpr std::size_t kMostZeros = std::size_t{1} << 26U;
         if (count > kMostZeros) accessor.refuse("has no buffer view", "export the file again");
-        values.resize(count);
+        const std::string zero(size * size_of(form.type), '\0');
+        Elements elements = form;
+        elements.bytes = zero;
+        values.assign(count, convert(elements, 0));
     }
     if (sparse) replace_sparse(document, *sparse, form, convert, values);
     return values;
@@ -225,6 +228,13 @@ std::vector<Vec3> Accessors::triples(const JsonPlace& index) const {
     });
 }
 
+std::vector<Vec3> Accessors::directions(const JsonPlace& index) const {
+    return all_of<Vec3>(document_, replaced_, at(index), 3, [](const Elements& e, std::size_t i) {
+        const Vec3d v(e.at(i, 0), e.at(i, 1), e.at(i, 2));
+        return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z) ? Vec3(v) : Vec3(0);
+    });
+}
+
 std::vector<std::array<float, 4>> Accessors::quadruples(const JsonPlace& index) const {
     return all_of<std::array<float, 4>>(document_, replaced_, at(index), 4,
                                         to_floats<4>(at(index)));
@@ -239,6 +249,11 @@ std::vector<std::uint32_t> Accessors::indices(const JsonPlace& index) const {
     const auto one = to_integers<1>(at(index));
     return all_of<std::uint32_t>(document_, replaced_, at(index), 1,
                                  [&](const Elements& e, std::size_t i) { return one(e, i)[0]; });
+}
+
+std::uint32_t Accessors::largest_index(const JsonPlace& index) const {
+    const std::size_t bytes = size_of(stored_type(at(index).at("componentType")));
+    return std::numeric_limits<std::uint32_t>::max() >> (32 - 8 * bytes);
 }
 
 std::vector<std::array<std::uint32_t, 4>> Accessors::index_quadruples(

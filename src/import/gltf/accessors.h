@@ -31,12 +31,16 @@ public:
     std::vector<float> scalars(const JsonPlace& index) const;
     std::vector<Vec2> pairs(const JsonPlace& index) const;
     std::vector<Vec3> triples(const JsonPlace& index) const;
+    /// Returns vectors; those that are not finite are zero.
+    std::vector<Vec3> directions(const JsonPlace& index) const;
     std::vector<std::array<float, 4>> quadruples(const JsonPlace& index) const;
     /// Returns matrices of 4 x 4, column by column as the file has them.
     std::vector<std::array<float, 16>> matrices(const JsonPlace& index) const;
     /// Returns integers, not normalised.
     std::vector<std::uint32_t> indices(const JsonPlace& index) const;
     std::vector<std::array<std::uint32_t, 4>> index_quadruples(const JsonPlace& index) const;
+    /// Returns the largest integer that an accessor's elements can hold.
+    std::uint32_t largest_index(const JsonPlace& index) const;
 
 private:
     JsonPlace at(const JsonPlace& index) const { return document_.element("accessors", index); }

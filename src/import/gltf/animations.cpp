@@ -31,8 +31,8 @@ struct Between {
 Between between(const std::vector<float>& times, double seconds, const JsonPlace& input) {
     if (times.empty()) input.refuse("has no key", "export the file again");
     for (std::size_t i = 1; i < times.size(); ++i)
-        if (!(times[i] > times[i - 1]))
-            input.refuse("has times that do not increase", "export the file again");
+        if (times[i] < times[i - 1])
+            input.refuse("has times that decrease", "export the file again");
     const auto next = std::upper_bound(times.begin(), times.end(), seconds,
                                        [](double t, float key) { return t < double{key}; });
     if (next == times.begin()) return {};

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <filesystem>
+#include <optional>
 
 namespace sunfleck::engine {
 namespace {
@@ -72,6 +73,7 @@ void GltfDocument::parse_binary(std::string_view bytes) {
     if (word_at(bytes, 8) > bytes.size())
         throw damaged("has " + std::to_string(bytes.size()) + " bytes of " +
                       std::to_string(word_at(bytes, 8)));
+    bytes = bytes.substr(0, word_at(bytes, 8));
     std::string_view json;
     for (std::size_t at = kHead; at + 8 <= bytes.size();) {
         const std::size_t size = word_at(bytes, at);
@@ -120,18 +122,22 @@ std::string GltfDocument::read(const JsonPlace& uri) {
         if (!data) uri.refuse("is not valid base64", "export the file again");
         return std::move(data->bytes);
     }
-    const std::string name = without_escapes(text);
-    if (name.empty()) uri.refuse("is an empty name", "name the file");
+    if (text.empty()) uri.refuse("is an empty name", "name the file");
     const std::filesystem::path folder = std::filesystem::path(path_).parent_path();
-    const std::string path = (folder / name).lexically_normal().string();
-    try {
-        std::string bytes = access_(path, uri.where());
-        if (std::find(files_.begin(), files_.end(), path) == files_.end()) files_.push_back(path);
-        return bytes;
-    } catch (const MissingFile& missing) {
-        missing_.note(missing);
-        return {};
+    std::optional<MissingFile> fault;
+    for (const std::string& name : names_of_file(text)) {
+        const std::string path = (folder / name).lexically_normal().string();
+        try {
+            std::string bytes = access_(path, uri.where());
+            if (std::find(files_.begin(), files_.end(), path) == files_.end())
+                files_.push_back(path);
+            return bytes;
+        } catch (const MissingFile& missing) {
+            if (!fault) fault = missing;
+        }
     }
+    missing_.note(*fault);
+    return {};
 }
 
 void GltfDocument::check_missing() const {

@@ -23,7 +23,7 @@ JsonPlace JsonPlace::member(std::string_view key, const nlohmann::json& value) c
 std::optional<JsonPlace> JsonPlace::find(std::string_view key) const {
     if (!value_->is_object()) refuse("is not an object", "write { } with its members");
     const auto found = value_->find(key);
-    if (found == value_->end()) return {};
+    if (found == value_->end() || found->is_null()) return {};
     return member(key, *found);
 }
 

@@ -23,7 +23,8 @@ public:
     JsonPlace(const nlohmann::json& value, std::string file, std::string path)
         : value_(&value), file_(std::move(file)), path_(std::move(path)) {}
 
-    /// Returns the member of that name, or nothing. @throws Error  if this is no object.
+    /// Returns the member of that name, or nothing; null is nothing, as some exporters write it.
+    /// @throws Error  if this is no object.
     std::optional<JsonPlace> find(std::string_view key) const;
     /// @throws Error  if there is none.
     JsonPlace at(std::string_view key) const;

@@ -45,7 +45,7 @@ void add_luminaires(GltfDocument& document, const GltfNodes& nodes, SceneDescrip
     Maps maps;
     for (const GltfNode& node : nodes.in_scene()) {
         const auto use = node.place.extension("EXT_lights_ies");
-        if (!use) continue;
+        if (!use || !node.is_visible) continue;
         if (!extension) use->refuse("names a luminaire, but the file has none", "export it again");
         const JsonPlace profiles = extension->at("lights");
         const std::size_t number = use->at("light").index(profiles.size(), "light");

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numeric>
 #include <string>
+#include <utility>
 
 namespace sunfleck::engine {
 namespace {
@@ -13,13 +14,13 @@ using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 enum class Topology { list = 4, strip = 5, fan = 6 };
 
-Triangles assembled(const std::vector<std::uint32_t>& corners, Topology topology) {
-    Triangles triangles;
+/// Adds the triangles of a list, a strip or a fan.
+void assemble(const std::vector<std::uint32_t>& corners, Topology topology, Triangles& triangles) {
     if (topology == Topology::list) {
         triangles.reserve(corners.size() / 3);
         for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
             triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
-        return triangles;
+        return;
     }
     for (std::size_t i = 0; i + 2 < corners.size(); ++i) {
         if (topology == Topology::fan)
@@ -27,7 +28,6 @@ Triangles assembled(const std::vector<std::uint32_t>& corners, Topology topology
         else  // every other triangle of a strip is turned
             triangles.push_back({corners[i], corners[i + 1 + i % 2], corners[i + 2 - i % 2]});
     }
-    return triangles;
 }
 
 /// Adds morph targets to an attribute.
@@ -98,22 +98,34 @@ void check_size(const JsonPlace& attribute, std::size_t size, std::size_t vertic
             "export the file again");
 }
 
-/// Returns the vertices of all triangles, in their order.
-std::vector<std::uint32_t> corners_of(const Accessors& accessors, const JsonPlace& primitive,
-                                      std::size_t vertices) {
+/// Returns the triangles of a primitive. In strips and fans the largest index that its type can
+/// hold begins anew (KHR_mesh_primitive_restart); core glTF has no such index.
+Triangles assembled(const Accessors& accessors, const JsonPlace& primitive, std::size_t vertices,
+                    Topology topology) {
+    Triangles triangles;
     const auto indices = primitive.find("indices");
+    std::vector<std::uint32_t> corners;
     if (!indices) {
-        std::vector<std::uint32_t> all(vertices);
-        std::iota(all.begin(), all.end(), 0U);
-        return all;
+        corners.resize(vertices);
+        std::iota(corners.begin(), corners.end(), 0U);
+        assemble(corners, topology, triangles);
+        return triangles;
     }
-    std::vector<std::uint32_t> corners = accessors.indices(*indices);
-    for (const std::uint32_t corner : corners)
+    const std::uint32_t restart = accessors.largest_index(*indices);
+    for (const std::uint32_t corner : accessors.indices(*indices)) {
+        if (corner == restart && topology != Topology::list) {
+            assemble(corners, topology, triangles);
+            corners.clear();
+            continue;
+        }
         if (corner >= vertices)
             indices->refuse(
                 "names vertex " + std::to_string(corner) + " of " + std::to_string(vertices),
                 "export the file again");
-    return corners;
+        corners.push_back(corner);
+    }
+    assemble(corners, topology, triangles);
+    return triangles;
 }
 
 std::vector<double> weights_of(const JsonPlace& holder) {
@@ -132,6 +144,10 @@ MeshPose pose_of(const GltfDocument& document, const GltfNodes& nodes, const Acc
     if (pose.weights.empty()) pose.weights = weights_of(mesh);
     const auto number = node.place.find("skin");
     if (!number) return pose;
+    const auto row = [&](int i) {
+        return Vec3d(node.to_world[i][0], node.to_world[i][1], node.to_world[i][2]);
+    };
+    pose.is_mirrored = row(0).cross(row(1)).dot(row(2)) < 0;
     const JsonPlace skin = document.element("skins", *number);
     std::vector<std::array<float, 16>> bindings;
     if (const auto inverse = skin.find("inverseBindMatrices"))
@@ -165,7 +181,7 @@ std::optional<TriangleMesh> triangles_of(const Accessors& accessors, const JsonP
     morph(accessors, primitive, pose, "POSITION", mesh.positions);
     const std::size_t vertices = mesh.positions.size();
     if (const auto normals = attributes.find("NORMAL")) {
-        mesh.normals = accessors.triples(*normals);
+        mesh.normals = accessors.directions(*normals);
         check_size(*normals, mesh.normals.size(), vertices);
         morph(accessors, primitive, pose, "NORMAL", mesh.normals);
     }
@@ -175,8 +191,9 @@ std::optional<TriangleMesh> triangles_of(const Accessors& accessors, const JsonP
         for (Vec2& uv : mesh.uvs) uv.y = 1 - uv.y;
     }
     if (!pose.is_rigid()) skin(accessors, attributes, pose, mesh);
-    mesh.triangles =
-        assembled(corners_of(accessors, primitive, vertices), static_cast<Topology>(mode));
+    mesh.triangles = assembled(accessors, primitive, vertices, static_cast<Topology>(mode));
+    if (!pose.is_rigid() && pose.is_mirrored)
+        for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
     if (mesh.triangles.empty()) return {};
     return mesh;
 }

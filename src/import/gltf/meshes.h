@@ -18,6 +18,7 @@ struct MeshPose {
     std::vector<double> weights;  // of morph targets; may be empty
     /// Frames of a skin's joints, from the mesh as it is stored to the world; empty without a skin.
     std::vector<Matrix> joints;
+    bool is_mirrored = false;  // the node's frame, which says which side of a skin is out
 
     bool is_rigid() const { return joints.empty(); }
 };

@@ -3,6 +3,9 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
+#include <set>
+#include <string>
 
 namespace sunfleck::engine {
 namespace {
@@ -65,13 +68,52 @@ void check_size(const JsonPlace& node, const Matrix& frame) {
                 node.refuse("has a place or scale beyond 10^15", "make the scene smaller");
 }
 
-/// Returns the numbers of the scene's roots.
-std::vector<JsonPlace> roots_of(const GltfDocument& document) {
+/// Returns the number of each node's parent; nothing for a root.
+std::vector<std::optional<std::size_t>> parents_of(const GltfDocument& document) {
+    std::vector<std::optional<std::size_t>> parents(document.count("nodes"));
+    const std::vector<JsonPlace> nodes = document.root().elements("nodes");
+    for (std::size_t parent = 0; parent < nodes.size(); ++parent)
+        for (const JsonPlace& child : nodes[parent].elements("children"))
+            parents[child.index(nodes.size(), "node")] = parent;
+    return parents;
+}
+
+/// A node to place, and the place that names it.
+struct NamedNode {
+    std::size_t number;
+    JsonPlace place;
+};
+
+std::vector<NamedNode> named_in(const GltfDocument& document, const std::vector<JsonPlace>& names) {
+    std::vector<NamedNode> nodes;
+    for (const JsonPlace& name : names)
+        nodes.push_back({name.index(document.count("nodes"), "node"), name});
+    return nodes;
+}
+
+std::vector<NamedNode> roots_of(const GltfDocument& document) {
     const JsonPlace root = document.root();
     if (const auto chosen = root.find("scene"))
-        return document.element("scenes", *chosen).elements("nodes");
+        return named_in(document, document.element("scenes", *chosen).elements("nodes"));
     const std::vector<JsonPlace> scenes = root.elements("scenes");
-    return scenes.empty() ? std::vector<JsonPlace>() : scenes.front().elements("nodes");
+    if (!scenes.empty()) return named_in(document, scenes.front().elements("nodes"));
+    const auto parents = parents_of(document);
+    std::vector<NamedNode> roots;
+    for (std::size_t i = 0; i < parents.size(); ++i)
+        if (!parents[i]) roots.push_back({i, root.at("nodes")[i]});
+    return roots;
+}
+
+/// Returns whether a node shows what hangs on it, if its parents do.
+bool shows(const JsonPlace& node) {
+    const auto visibility = node.extension("KHR_node_visibility");
+    return !visibility || visibility->flag("visible", true);
+}
+
+const GltfPose& pose_of_node(const GltfPoses& poses, std::size_t number) {
+    static const GltfPose kAtRest{};
+    const auto posed = poses.find(number);
+    return posed == poses.end() ? kAtRest : posed->second;
 }
 
 }  // namespace
@@ -79,34 +121,58 @@ std::vector<JsonPlace> roots_of(const GltfDocument& document) {
 GltfNodes::GltfNodes(const GltfDocument& document, const Accessors& accessors,
                      const GltfPoses& poses)
     : accessors_(accessors) {
-    static const GltfPose kAtRest{};
     const std::size_t count = document.count("nodes");
     to_world_.resize(count);
     std::vector<bool> is_placed(count, false);
     struct Next {
-        JsonPlace number;
+        NamedNode node;
         Matrix parent;
+        bool is_visible;
     };
     std::vector<Next> open;
-    const auto add_all = [&](const std::vector<JsonPlace>& numbers, const Matrix& parent) {
-        for (std::size_t i = numbers.size(); i-- > 0;) open.push_back({numbers[i], parent});
+    const auto add_all = [&](const std::vector<NamedNode>& nodes, const Matrix& parent,
+                             bool is_visible) {
+        for (std::size_t i = nodes.size(); i-- > 0;) open.push_back({nodes[i], parent, is_visible});
     };
-    add_all(roots_of(document), Matrix());
+    add_all(roots_of(document), Matrix(), true);
     while (!open.empty()) {
         const Next next = open.back();
         open.pop_back();
-        const std::size_t number = next.number.index(count, "node");
+        const std::size_t number = next.node.number;
         if (is_placed[number])
-            next.number.refuse("makes node " + std::to_string(number) + " part of the scene twice",
-                               "give each node one parent");
+            next.node.place.refuse(
+                "makes node " + std::to_string(number) + " part of the scene twice",
+                "give each node one parent");
         is_placed[number] = true;
-        const JsonPlace node = document.element("nodes", next.number);
-        const auto posed = poses.find(number);
-        const GltfPose& pose = posed == poses.end() ? kAtRest : posed->second;
+        const JsonPlace node = document.root().at("nodes")[number];
+        const GltfPose& pose = pose_of_node(poses, number);
         to_world_[number] = local_frame(node, pose) * next.parent;
         check_size(node, to_world_[number]);
-        in_scene_.push_back({node, to_world_[number], pose.weights});
-        add_all(node.elements("children"), to_world_[number]);
+        const bool is_visible = next.is_visible && shows(node);
+        in_scene_.push_back({node, to_world_[number], pose.weights, is_visible});
+        add_all(named_in(document, node.elements("children")), to_world_[number], is_visible);
+    }
+    place_joints(document, poses, is_placed);
+}
+
+/// Skins may name joints that are not in the scene.
+void GltfNodes::place_joints(const GltfDocument& document, const GltfPoses& poses,
+                             const std::vector<bool>& is_placed) {
+    const std::size_t count = to_world_.size();
+    std::set<std::size_t> outside;
+    for (const JsonPlace& skin : document.root().elements("skins"))
+        for (const NamedNode& joint : named_in(document, skin.elements("joints")))
+            if (!is_placed[joint.number]) outside.insert(joint.number);
+    if (outside.empty()) return;
+    const auto parents = parents_of(document);
+    for (const std::size_t joint : outside) {
+        std::optional<std::size_t> node = joint;
+        for (std::size_t step = 0; node; ++step, node = parents[*node]) {
+            const JsonPlace place = document.root().at("nodes")[*node];
+            if (step == count) place.refuse("is its own ancestor", "give each node one parent");
+            to_world_[joint] *= local_frame(place, pose_of_node(poses, *node));
+            check_size(place, to_world_[joint]);
+        }
     }
 }
 

@@ -14,6 +14,7 @@
 #include <array>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <utility>
 
@@ -21,7 +22,7 @@ namespace sunfleck::engine {
 namespace {
 
 /// Extensions that are read. Others are named in a warning, or refused where they are required.
-constexpr std::array<std::string_view, 18> kExtensions = {"EXT_lights_ies",
+constexpr std::array<std::string_view, 20> kExtensions = {"EXT_lights_ies",
                                                           "EXT_mesh_gpu_instancing",
                                                           "EXT_texture_webp",
                                                           "KHR_lights_punctual",
@@ -37,12 +38,15 @@ constexpr std::array<std::string_view, 18> kExtensions = {"EXT_lights_ies",
                                                           "KHR_materials_unlit",
                                                           "KHR_materials_variants",
                                                           "KHR_materials_volume",
+                                                          "KHR_mesh_primitive_restart",
                                                           "KHR_mesh_quantization",
+                                                          "KHR_node_visibility",
                                                           "KHR_texture_transform"};
 
 /// Extensions that change no picture.
 bool is_harmless(std::string_view name) {
-    return name.starts_with("KHR_xmp") || name == "KHR_animation_pointer";
+    return name.starts_with("KHR_xmp") || name == "KHR_animation_pointer" ||
+           name == "EXT_mesh_primitive_restart";
 }
 
 /// @throws Error  for an extension that other builds of this program read.
@@ -75,6 +79,17 @@ void check_extensions(const GltfDocument& document, SceneDescription& scene) {
                                                  " is not read: what it adds is left out");
 }
 
+/// Tells which scene is shown, unless the file chooses.
+void tell_scene(const GltfDocument& document, SceneDescription& scene) {
+    if (document.root().find("scene")) return;
+    const std::size_t scenes = document.count("scenes");
+    if (scenes == 0 && document.count("nodes") > 0)
+        scene.warnings.add({document.path()}, "has no scene: all its nodes are shown");
+    if (scenes > 1)
+        scene.warnings.add({document.path()}, "has " + std::to_string(scenes) +
+                                                  " scenes and chooses none: the first is shown");
+}
+
 Accessors unpacked_accessors(const GltfDocument& document) {
     Accessors accessors(document);
     unpack_draco(document, accessors);
@@ -94,9 +109,10 @@ public:
 
     SceneDescription read() {
         for (const GltfNode& node : nodes_.in_scene())
-            if (const auto mesh = node.place.find("mesh"))
+            if (const auto mesh = node.place.find("mesh"); mesh && node.is_visible)
                 uses_[number_of(*mesh)] += nodes_.instances_of(node).size();
-        for (const GltfNode& node : nodes_.in_scene()) add_node(node);
+        for (const GltfNode& node : nodes_.in_scene())
+            if (node.is_visible) add_node(node);
         add_punctual_lights(document_, nodes_, scene_);
         add_luminaires(document_, nodes_, scene_);
         shapes_.tell_glass();
@@ -122,6 +138,7 @@ private:
         }
         const std::vector<Matrix> frames = nodes_.instances_of(node);
         if (frames.empty()) return;
+        if (!has_skin && !is_there(node, frames.front())) return;
         for (ShapeDescription& shape : shapes_.of(node, mesh)) {
             if (!has_skin) shape.placed.to_world = frames.front();
             scene_.shapes.push_back(std::move(shape));
@@ -146,14 +163,18 @@ private:
         return shared;
     }
 
+    /// Returns whether a frame has a volume; if not, a warning tells that what it has is left out.
+    bool is_there(const GltfNode& node, const Matrix& frame) {
+        if (Affine(frame).is_invertible()) return true;
+        scene_.warnings.add(node.place.where(), "is flat or too small, and left out");
+        return false;
+    }
+
     void add_instances(const GltfNode& node, const JsonPlace& mesh, std::size_t number) {
         if (!shared_.contains(number)) shared_.emplace(number, shared_of(node, mesh));
         const Shared& shared = shared_.at(number);
         for (const Matrix& frame : nodes_.instances_of(node)) {
-            if (!Affine(frame).is_invertible()) {
-                scene_.warnings.add(node.place.where(), "is flat or too small, and left out");
-                continue;
-            }
+            if (!is_there(node, frame)) continue;
             if (shared.object) scene_.instances.push_back({*shared.object, frame});
             for (ShapeDescription shape : shared.emitting) {
                 shape.placed.to_world = frame;
@@ -184,6 +205,7 @@ SceneDescription read_gltf_document(GltfDocument& document, const ImportSettings
     scene.path = document.path();
     scene.film.imaging_ratio = static_cast<float>(kLumensPerWatt);  // a pixel of 1 is 1 cd/m2
     check_extensions(document, scene);
+    tell_scene(document, scene);
     return GltfReading(document, settings, std::move(scene)).read();
 }
 

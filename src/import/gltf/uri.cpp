@@ -1,7 +1,9 @@
 // Base64 (RFC 4648) and percent-encoding (RFC 3986).
 #include "import/gltf/uri.h"
 
+#include <algorithm>
 #include <cstdint>
+#include <utility>
 
 namespace sunfleck::engine {
 namespace {
@@ -68,6 +70,15 @@ std::string without_escapes(std::string_view uri) {
         i += 2;
     }
     return name;
+}
+
+std::vector<std::string> names_of_file(std::string_view uri) {
+    std::vector<std::string> names = {without_escapes(uri)};
+    if (names.front() != uri) names.emplace_back(uri);
+    std::string turned = names.front();
+    std::replace(turned.begin(), turned.end(), '\\', '/');
+    if (turned != names.front()) names.push_back(std::move(turned));
+    return names;
 }
 
 }  // namespace sunfleck::engine

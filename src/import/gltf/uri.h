@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sunfleck::engine {
 
@@ -25,5 +26,9 @@ std::optional<DataUri> data_of(std::string_view uri);
 
 /// Replaces %XX by its byte; other text, a stray % among it, stays.
 std::string without_escapes(std::string_view uri);
+
+/// Returns the names under which the file of a URI may be found, the right one first: without
+/// escapes, as it stands, and with the slashes of Windows turned.
+std::vector<std::string> names_of_file(std::string_view uri);
 
 }  // namespace sunfleck::engine

@@ -23,14 +23,21 @@ Vec2i resolution_of(double aspect) {
     return {pixels(kUsualResolution.y * aspect), kUsualResolution.y};
 }
 
-Matrix frame_of_node(const Matrix& node) {
-    const auto row = [&](int i) { return Vec3d(node[i][0], node[i][1], node[i][2]); };
-    return camera_frame(row(0), row(1), -row(2), row(3));
+/// Scales of nodes neither stretch nor mirror the picture.
+Matrix frame_of_node(const GltfNode& node) {
+    const Matrix& m = node.to_world;
+    const auto row = [&](int i) { return Vec3d(m[i][0], m[i][1], m[i][2]); };
+    const Vec3d ahead = -row(2);
+    const Vec3d right = ahead.cross(row(1));
+    if (!(right.length() > 0))
+        node.place.refuse("is scaled to nothing: its camera has no direction",
+                          "choose another (--camera), or another time (--frame-time)");
+    return camera_frame(right, right.cross(ahead), ahead, row(3));
 }
 
-Camera camera_of(const JsonPlace& camera, const Matrix& to_world, FilmDescription& film) {
+Camera camera_of(const JsonPlace& camera, const GltfNode& node, FilmDescription& film) {
     constexpr double kLarge = 1e9;
-    const Matrix frame = frame_of_node(to_world);
+    const Matrix frame = frame_of_node(node);
     const JsonPlace type = camera.at("type");
     if (type.text() == "perspective") {
         const JsonPlace view = camera.at("perspective");
@@ -72,8 +79,8 @@ Camera framing(const Bounds& bounds, FilmDescription& film) {
 void set_view(const GltfDocument& document, const GltfNodes& nodes, const std::string& chosen,
               SceneDescription& scene) {
     if (const auto node = chosen_camera(document, nodes, chosen)) {
-        scene.camera = camera_of(document.element("cameras", node->place.at("camera")),
-                                 node->to_world, scene.film);
+        scene.camera =
+            camera_of(document.element("cameras", node->place.at("camera")), *node, scene.film);
         return;
     }
     scene.warnings.add({scene.path}, "there is no camera: one that sees the whole scene is used");

@@ -68,6 +68,8 @@ TEST_F(GltfAccessors, sparse_values_replace_others) {
               (std::vector<float>{10, 2, 3, 40}));
     EXPECT_EQ(asked(bytes, "{" + type + sparse, kScalars), (std::vector<float>{10, 0, 0, 40}))
         << "without a view the others are zero";
+    const std::string points = R"({"componentType":5126,"type":"VEC3","count":2})";
+    EXPECT_EQ(asked(bytes, points, kTriples), (std::vector<Vec3>(2, Vec3(0))));
 }
 
 TEST_F(GltfAccessors, indices_are_integers) {

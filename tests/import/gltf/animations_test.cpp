@@ -97,6 +97,20 @@ TEST_F(GltfAnimation, moves_nodes_in_the_scene) {
     EXPECT_EQ(middle.origin.z, 40);
 }
 
+/// Exporters write a jump as two keys of one time: the later counts from there on.
+TEST_F(GltfAnimation, may_jump) {
+    const std::string members =
+        buffer_json(bytes_of<float>({1, 2, 2, 3}) +
+                    bytes_of<float>({0, 0, 0, 1, 1, 1, 5, 5, 5, 6, 6, 6})) +
+        R"(,"accessors":[{"bufferView":0,"componentType":5126,"type":"SCALAR","count":4},
+{"bufferView":0,"byteOffset":16,"componentType":5126,"type":"VEC3","count":4}],
+"scenes":[{"nodes":[0]}],"nodes":[{}],"animations":[{"channels":[{"sampler":0,"target":
+{"node":0,"path":"translation"}}],"samplers":[{"input":0,"output":1}]}])";
+    EXPECT_EQ(pose(members, 1.5).translation->x, 0.5);
+    EXPECT_EQ(pose(members, 2).translation->x, 5);
+    EXPECT_EQ(pose(members, 2.5).translation->x, 5.5);
+}
+
 TEST_F(GltfAnimation, that_cannot_be_is_refused) {
     const std::string good = keys({0, 0, 0, 10, 20, 40}, "translation", "VEC3", 2, "LINEAR");
     EXPECT_EQ(fault_of(good), "");

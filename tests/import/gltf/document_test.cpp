@@ -92,5 +92,46 @@ TEST_F(GltfDocuments, huge_claims_are_refused) {
     }
 }
 
+/// A length of the head that is less than the file's ends it; chunks of unknown types are passed
+/// over, and the JSON may be filled up with zeros and begin with a mark.
+TEST_F(GltfDocuments, binary_files_may_have_more_in_them) {
+    const auto word = [](std::size_t x) {
+        return bytes_of<std::uint32_t>({static_cast<std::uint32_t>(x)});
+    };
+    const std::string json = R"({"asset":{"version":"2.0"}})";
+    const std::string whole = glb(json, square_bytes());
+    EXPECT_EQ(fault_of_file(written("a.glb", whole + "more than eight bytes")), "");
+    std::string other =
+        whole.substr(0, 20 + json.size()) + word(4) + "WHAT1234" + whole.substr(20 + json.size());
+    other.replace(8, 4, word(other.size()));
+    EXPECT_EQ(fault_of_file(written("a.glb", other)), "");
+    EXPECT_EQ(fault_of_file(written("a.glb", glb(json + std::string(3, '\0'), ""))), "");
+    EXPECT_EQ(fault_of_file(written("a.glb", glb("\xEF\xBB\xBF" + json, ""))), "");
+    EXPECT_EQ(fault_of_file(written("a.gltf", "\xEF\xBB\xBF" + json)), "");
+}
+
+/// Names are decoded; else they are taken as they stand, and with the slashes of Windows turned.
+TEST_F(GltfDocuments, files_are_found_under_the_names_that_exporters_write) {
+    std::filesystem::create_directories(path("parts"));
+    written("parts/a.bin", square_bytes());
+    written("b%20c.bin", square_bytes());
+    for (const char* name : {"parts%5Ca.bin", "parts\\\\a.bin", "./parts/a.bin", "b%20c.bin",
+                             "b%2520c.bin", "parts/../parts/%61.bin"}) {
+        const std::string members = R"("buffers":[{"byteLength":60,"uri":")" + std::string(name) +
+                                    R"("}],"bufferViews":[{"buffer":0,"byteLength":60}])";
+        EXPECT_EQ(fault_of(members), "") << name;
+    }
+    EXPECT_NE(fault_of(R"("buffers":[{"byteLength":60,"uri":"gone%5Ca.bin"}])").find("gone\\a.bin"),
+              std::string::npos);
+}
+
+/// Some exporters write null for what they leave out.
+TEST_F(GltfDocuments, null_is_nothing) {
+    EXPECT_EQ(fault_of(R"("scene":null,"cameras":null,"scenes":[{"nodes":[0],"name":null}],
+"nodes":[{"mesh":0,"skin":null,"camera":null,"matrix":null}],)" +
+                       square_json(R"(,"material":null)")),
+              "");
+}
+
 }  // namespace
 }  // namespace sunfleck::engine

@@ -61,6 +61,16 @@ inline std::string square_json(const std::string& of_primitive = "") {
            of_primitive + "}]}]";
 }
 
+/// The same with texture coordinates, u = x and v = y.
+inline std::string textured_square_json(const std::string& of_primitive = "") {
+    return buffer_json(square_bytes() + bytes_of<float>({0, 0, 1, 0, 1, 1, 0, 1})) +
+           R"(,"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":4},
+{"bufferView":0,"byteOffset":48,"componentType":5123,"type":"SCALAR","count":6},
+{"bufferView":0,"byteOffset":60,"componentType":5126,"type":"VEC2","count":4}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1)" +
+           of_primitive + "}]}]";
+}
+
 /// A test that writes files.
 class GltfFiles : public testing::Test {
 protected:

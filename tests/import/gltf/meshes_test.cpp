@@ -13,13 +13,13 @@ using testing_support::square_json;
 
 class GltfMeshes : public testing_support::GltfFiles {
 protected:
-    /// Returns mesh 0 as the first node shows it.
-    std::optional<TriangleMesh> mesh_of(const std::string& members) {
+    /// Returns mesh 0 as a node shows it. @param node  in the order of the scene.
+    std::optional<TriangleMesh> mesh_of(const std::string& members, std::size_t node = 0) {
         const GltfDocument document(gltf(members));
         const Accessors accessors(document);
         const GltfNodes nodes(document, accessors);
         const JsonPlace mesh = document.root().elements("meshes").front();
-        const MeshPose pose = pose_of(document, nodes, accessors, nodes.in_scene().front(), mesh);
+        const MeshPose pose = pose_of(document, nodes, accessors, nodes.in_scene().at(node), mesh);
         return triangles_of(accessors, mesh.elements("primitives").front(), pose, 0, warnings_);
     }
 
@@ -106,6 +106,85 @@ TEST_F(GltfMeshes, arrays_that_do_not_fit_are_refused) {
               "again");
     EXPECT_NE(fault_of(kNode + square_json(R"(,"mode":7)")), "");
     EXPECT_NE(fault_of(kNode + square_json(R"(,"material":0)")), "");
+}
+
+/// The largest index of its type begins a strip or a fan anew (KHR_mesh_primitive_restart).
+TEST_F(GltfMeshes, the_largest_index_begins_anew) {
+    const std::string bytes =
+        bytes_of<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0}) +
+        bytes_of<std::uint16_t>({0, 1, 2, 0xFFFF, 1, 2, 3, 0, 0xFFFF, 0xFFFF, 2, 3});
+    const auto of_mode = [&](const char* mode) {
+        const std::string members =
+            buffer_json(bytes) +
+            R"(,"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":4},
+{"bufferView":0,"byteOffset":48,"componentType":5123,"type":"SCALAR","count":12}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1,"mode":)" +
+            mode + "}]}]";
+        return mesh_of(kNode + members)->triangles;
+    };
+    EXPECT_EQ(of_mode("5"), (Triangles{{0, 1, 2}, {1, 2, 3}, {2, 0, 3}}));
+    EXPECT_EQ(of_mode("6"), (Triangles{{1, 2, 0}, {2, 3, 1}, {3, 0, 1}}));
+    EXPECT_THROW(of_mode("4"), Error) << "a list has no such thing";
+}
+
+/// The node's frame says which side is out, though it does not move the vertices.
+TEST_F(GltfMeshes, skins_of_mirrored_nodes_keep_their_facing) {
+    const std::string bytes = bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) +
+                              bytes_of<std::uint8_t>({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}) +
+                              bytes_of<float>({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+    const auto mesh = mesh_of(
+        R"("scenes":[{"nodes":[2]}],"nodes":[{"mesh":0,"skin":0},{},{"children":[0,1],"scale":[-1,1,1]}],
+"skins":[{"joints":[1]}],)" +
+            buffer_json(bytes) +
+            R"(,"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3},
+{"bufferView":0,"byteOffset":36,"componentType":5121,"type":"VEC4","count":3},
+{"bufferView":0,"byteOffset":48,"componentType":5126,"type":"VEC4","count":3}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}}]}])",
+        1);
+    EXPECT_EQ(mesh->positions[1], Vec3(-1, 0, 0));
+    EXPECT_EQ(mesh->triangles, (Triangles{{0, 2, 1}}));
+}
+
+/// A joint may be outside of the scene: it moves the mesh all the same.
+TEST_F(GltfMeshes, joints_outside_of_the_scene_have_frames) {
+    const std::string bytes = bytes_of<float>({0, 0, 0, 1, 0, 0, 0, 1, 0}) +
+                              bytes_of<std::uint8_t>({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0}) +
+                              bytes_of<float>({1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0});
+    const auto mesh = mesh_of(
+        R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"skin":0},{"translation":[3,0,0]},
+{"children":[1],"translation":[4,0,0]}],"skins":[{"joints":[1]}],)" +
+        buffer_json(bytes) +
+        R"(,"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":3},
+{"bufferView":0,"byteOffset":36,"componentType":5121,"type":"VEC4","count":3},
+{"bufferView":0,"byteOffset":48,"componentType":5126,"type":"VEC4","count":3}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"JOINTS_0":1,"WEIGHTS_0":2}}]}])");
+    EXPECT_EQ(mesh->positions[1], Vec3(8, 0, 0));
+}
+
+/// Where triangles have no area exporters divide by 0.
+TEST_F(GltfMeshes, normals_that_are_no_numbers_are_as_if_they_were_missing) {
+    const float nan = std::nanf("");
+    const std::string members =
+        kNode +
+        buffer_json(square_bytes() + bytes_of<float>({nan, nan, nan, 0, 0, 0, 0, 0, 1, 0, 0, 1})) +
+        R"(,"accessors":[{"bufferView":0,"componentType":5126,"type":"VEC3","count":4},
+{"bufferView":0,"byteOffset":48,"componentType":5123,"type":"SCALAR","count":6},
+{"bufferView":0,"byteOffset":60,"componentType":5126,"type":"VEC3","count":4}],
+"meshes":[{"primitives":[{"attributes":{"POSITION":0,"NORMAL":2},"indices":1}]}])";
+    const auto mesh = mesh_of(members);
+    EXPECT_EQ(mesh->normals, (std::vector<Vec3>{{0, 0, 0}, {0, 0, 0}, {0, 0, 1}, {0, 0, 1}}));
+}
+
+/// All zeros: the accessors of some exporters have neither a buffer view nor sparse values.
+TEST_F(GltfMeshes, morph_targets_without_a_buffer_move_nothing) {
+    std::string members = kNode + square_json();
+    const std::string attribute = R"("attributes":{"POSITION":0},)";
+    members.insert(members.find(attribute) + attribute.size(), R"("targets":[{"POSITION":2}],)");
+    const std::string end = R"("count":6})";
+    members.insert(members.find(end) + end.size(),
+                   R"(,{"componentType":5126,"type":"VEC3","count":4})");
+    members.insert(members.find(R"("primitives")"), R"("weights":[1],)");
+    EXPECT_EQ(mesh_of(members)->positions[2], Vec3(1, 1, 0));
 }
 
 }  // namespace

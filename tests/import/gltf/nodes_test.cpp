@@ -2,12 +2,15 @@
 #include "import/gltf/nodes.h"
 
 #include "gltf_files.h"
+#include "scene/scene.h"
 
 namespace sunfleck::engine {
 namespace {
 
 using testing_support::buffer_json;
 using testing_support::bytes_of;
+using testing_support::square_json;
+using testing_support::warns;
 
 class GltfNodeTree : public testing_support::GltfFiles {
 protected:
@@ -89,6 +92,68 @@ TEST_F(GltfNodeTree, may_be_deep) {
     }
     members += "]";
     EXPECT_EQ(frames_of(members).size(), kDeep + 1U);
+}
+
+/// All roots, where the file has no scene; the first scene, where it chooses none.
+TEST_F(GltfNodeTree, without_a_scene_all_roots_are_shown) {
+    const std::string nodes =
+        R"("nodes":[{"translation":[1,0,0]},{"children":[2],"translation":[0,1,0]},{}])";
+    EXPECT_EQ(frames_of(nodes).size(), 3U);
+    EXPECT_EQ(frames_of(R"("scenes":[{"nodes":[1]},{"nodes":[0]}],)" + nodes).size(), 2U);
+    EXPECT_EQ(frames_of(R"("scenes":[{}],)" + nodes).size(), 0U) << "an empty scene";
+    EXPECT_EQ(fault_of(R"("nodes":[{"children":[1]},{"children":[0]}])"), "");
+}
+
+/// The file must not have both; the matrix counts.
+TEST_F(GltfNodeTree, a_matrix_goes_before_translation_rotation_and_scale) {
+    const auto frames = frames_of(
+        R"("scenes":[{"nodes":[0]}],"nodes":[{"translation":[5,5,5],"scale":[9,9,9],
+"matrix":[1,0,0,0, 0,1,0,0, 0,0,1,0, 10,20,30,1]}])");
+    expect_image(frames.at(0), {1, 0, 0}, {11, 20, 30});
+}
+
+/// Returns what a ray along -z meets.
+std::optional<Hit> seen(const SceneDescription& description, double x, double y) {
+    const Scene scene(description);
+    return scene.geometry().intersect(
+        Ray{Vec3(Vec3d(x, y, 50) - scene.origin()), Vec3(0, 0, -1), 1000.0F});
+}
+
+TEST_F(GltfNodeTree, the_scene_that_is_shown_is_told_where_the_file_does_not_choose) {
+    const std::string rest = R"("nodes":[{"mesh":0},{}],)" + square_json();
+    const SceneDescription none = read(rest);
+    EXPECT_EQ(none.shapes.size(), 1U);
+    EXPECT_TRUE(warns(none, "scene.gltf: warning: has no scene: all its nodes are shown"));
+    EXPECT_TRUE(warns(read(R"("scenes":[{"nodes":[0]},{"nodes":[1]}],)" + rest),
+                      "has 2 scenes and chooses none: the first is shown"));
+    const SceneDescription chosen =
+        read(R"("scene":1,"scenes":[{"nodes":[1]},{"nodes":[0]}],)" + rest);
+    EXPECT_EQ(chosen.shapes.size(), 1U);
+    EXPECT_FALSE(warns(chosen, "scenes"));
+}
+
+/// Animations hide things so.
+TEST_F(GltfNodeTree, what_is_scaled_to_nothing_is_left_out) {
+    for (const char* scale : {"[0,0,0]", "[1,1,0]"}) {
+        const SceneDescription scene =
+            read(R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0,"scale":)" + std::string(scale) +
+                 "}]," + square_json());
+        EXPECT_TRUE(scene.shapes.empty()) << scale;
+        EXPECT_TRUE(warns(scene, "nodes[0]: warning: is flat or too small, and left out"));
+    }
+}
+
+TEST_F(GltfNodeTree, hidden_nodes_are_not_shown) {
+    const std::string hidden = R"("extensions":{"KHR_node_visibility":{"visible":false}})";
+    const std::string members =
+        R"("extensionsUsed":["KHR_node_visibility"],"scenes":[{"nodes":[0,2]}],
+"nodes":[{"children":[1],)" +
+        hidden + R"(},{"mesh":0},{"mesh":0,"translation":[5,0,0]}],)" + square_json();
+    const SceneDescription scene = read(members);
+    EXPECT_FALSE(seen(scene, 0.4, 0.3));
+    EXPECT_TRUE(seen(scene, 5.4, 0.3));
+    EXPECT_TRUE(scene.instances.empty()) << "shown once";
+    EXPECT_FALSE(warns(scene, "not read"));
 }
 
 }  // namespace

@@ -67,5 +67,23 @@ TEST_F(GltfView, that_cannot_be_is_refused) {
     EXPECT_NE(fault_of(begin + R"("type":"perspective"}])"), "");
 }
 
+/// A mirrored or stretched parent turns the camera; it neither mirrors nor stretches its picture.
+TEST_F(GltfView, scales_of_parents_change_where_cameras_stand_alone) {
+    const SceneDescription scene = read(
+        R"("cameras":[{"type":"perspective","perspective":{"yfov":1.5707963267948966,"aspectRatio":1}}],
+"scenes":[{"nodes":[0]}],"nodes":[{"scale":[-2,3,4],"children":[1]},
+{"camera":0,"translation":[1,1,1]}])");
+    const CameraRay corner = camera_ray(scene.camera, {0, 0}, {0.5, 0.5});
+    EXPECT_LT((corner.origin - Vec3d(-2, 3, 4)).length(), 1e-9);
+    EXPECT_LT((Vec3d(corner.direction) - Vec3d(-1, 1, -1).normalized()).length(), 1e-6);
+}
+
+TEST_F(GltfView, a_camera_scaled_to_nothing_is_refused) {
+    EXPECT_EQ(fault_of(R"("cameras":[{"type":"orthographic","orthographic":{"xmag":1,"ymag":1}}],
+"scenes":[{"nodes":[0]}],"nodes":[{"camera":0,"scale":[0,0,0]}])"),
+              "scene.gltf: nodes[0]: is scaled to nothing: its camera has no direction; choose "
+              "another (--camera), or another time (--frame-time)");
+}
+
 }  // namespace
 }  // namespace sunfleck::engine
