@@ -39,13 +39,34 @@ Image parse_any(std::string_view bytes, const std::string& name, const Encoding&
                 "convert it to PNG, JPEG, WebP, TGA (with that ending), EXR, HDR or PFM");
 }
 
+Image without_needless_alpha(const Image& image) {
+    return image.channels() == 4 && !image.has_holes() ? image.with_channels(3) : image;
+}
+
+/// Returns an image of RGBA for one of grey and alpha.
+Image repeated_grey(const Image& image, const Encoding& encoding) {
+    return std::visit(
+        [&](const auto& from) -> Image {
+            std::remove_cvref_t<decltype(from)> texels;
+            texels.reserve(2 * from.size());
+            for (std::size_t i = 0; i < from.size(); i += 2)
+                texels.insert(texels.end(), {from[i], from[i], from[i], from[i + 1]});
+            return {image.resolution(), 4, std::move(texels), encoding};
+        },
+        image.texels());
+}
+
 }  // namespace
 
 Image parse_image(std::string_view bytes, const std::string& name, const Encoding& encoding) {
-    Image image = parse_any(bytes, name, encoding);
-    if (image.channels() == 2) return image.with_channels(1);
-    if (image.channels() == 4 && !image.has_holes()) return image.with_channels(3);
-    return image;
+    const Image image = parse_any(bytes, name, encoding);
+    return image.channels() == 2 ? image.with_channels(1) : without_needless_alpha(image);
+}
+
+Image parse_image_with_alpha(std::string_view bytes, const std::string& name,
+                             const Encoding& encoding) {
+    const Image image = parse_any(bytes, name, encoding);
+    return without_needless_alpha(image.channels() == 2 ? repeated_grey(image, encoding) : image);
 }
 
 }  // namespace sunfleck::engine

@@ -17,4 +17,9 @@ namespace sunfleck::engine {
 /// than it can hold, and for an EXR without colour channels.
 Image parse_image(std::string_view bytes, const std::string& name, const Encoding& encoding = {});
 
+/// Decodes as parse_image() does, but grey with alpha becomes RGBA unless the alpha is one
+/// everywhere.
+Image parse_image_with_alpha(std::string_view bytes, const std::string& name,
+                             const Encoding& encoding = {});
+
 }  // namespace sunfleck::engine

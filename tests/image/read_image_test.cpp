@@ -258,5 +258,16 @@ TEST(ReadImage, small_files_that_claim_large_images_are_refused) {
     EXPECT_NE(fault_of(jpeg, "a.jpg").find("more pixels"), std::string::npos);
 }
 
+/// 8 bits stay 8 bits; an alpha that is one everywhere is none.
+TEST(ReadImage, grey_with_alpha_keeps_it_where_asked) {
+    const Bytes texels = {51, 7, 102, 255};
+    const Image holes = parse_image_with_alpha(
+        png_file({1, 2}, 8, PNG_COLOR_TYPE_GRAY_ALPHA, texels), "a.png", kLinear);
+    expect_near(values_of(holes), {0.2F, 0.2F, 0.2F, 7 / 255.0F, 0.4F, 0.4F, 0.4F, 1}, 1e-7F);
+    const Image whole = parse_image_with_alpha(
+        png_file({1, 1}, 8, PNG_COLOR_TYPE_GRAY_ALPHA, {51, 255}), "a.png", kLinear);
+    expect_near(values_of(whole), {0.2F, 0.2F, 0.2F}, 1e-7F);
+}
+
 }  // namespace
 }  // namespace sunfleck::engine

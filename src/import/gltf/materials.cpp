@@ -126,7 +126,10 @@ const GltfLook& GltfMaterials::look_of(const JsonPlace& primitive, const GltfVer
     const auto number = material_of(primitive);
     Key key;
     if (number) key.first = number->index(document_.count("materials"), "material");
-    if (!vertices.are_plain()) key.second = primitive.where().file;
+    if (!vertices.are_plain())
+        key.second = primitive.where().file;
+    else if (!vertices.has_own_set)
+        key.second = "without texture coordinates";
     const auto known = looks_.find(key);
     if (known != looks_.end()) return known->second;
     std::optional<JsonPlace> place;
@@ -201,10 +204,12 @@ bool GltfMaterials::add_glass(const JsonPlace& material, const GltfPbr& pbr, Glt
     double dispersion = 0;
     if (const auto e = material.extension("KHR_materials_dispersion"))
         dispersion = e->number("dispersion", 0, 0, kMost);
-    const Spectrum eta = index_of(pbr.ior, dispersion);
+    if (pbr.ior == kInfiniteIndex)
+        scene_.warnings.add(material.where(), "glass of an infinite index: 1.5 is taken");
+    const Spectrum eta = index_of(pbr.ior == kInfiniteIndex ? 1.5 : pbr.ior, dispersion);
     GltfLook::Glass glass;
     glass.pane = mixed(ThinDielectricMaterial{eta, base_colour(pbr)});
-    glass.is_rough = mean_facets(pbr).has_value();
+    glass.is_rough = facets_of(pbr.roughness * mean_of(pbr.green), pbr.anisotropy).has_value();
     glass.colour = pbr.base;
     glass.has_texture = pbr.colour.has_value() || pbr.vertices.colours != nullptr;
     if (const auto volume = material.extension("KHR_materials_volume")) {
@@ -215,8 +220,8 @@ bool GltfMaterials::add_glass(const JsonPlace& material, const GltfPbr& pbr, Glt
     }
     look.material = mixed(DielectricMaterial{eta, roughness_of(pbr)});
     look.glass = glass;
-    for (const char* name :
-         {"KHR_materials_clearcoat", "KHR_materials_specular", "KHR_materials_iridescence"})
+    for (const char* name : {"KHR_materials_clearcoat", "KHR_materials_specular",
+                             "KHR_materials_iridescence", "KHR_materials_sheen"})
         if (material.extension(name))
             scene_.warnings.add(material.where(), std::string(name) + " is left out on glass");
     return true;
@@ -243,7 +248,8 @@ void GltfMaterials::add_alpha(const JsonPlace& material, const GltfPbr& pbr, Glt
 /// A black surface that emits its base colour, 1 cd/m2 where that is 1, on both sides.
 GltfLook GltfMaterials::made_unlit(const JsonPlace& material, const GltfPbr& pbr) {
     GltfLook look;
-    look.material = GltfSurface(scene_, textures_, {}).add(DiffuseMaterial{Spectrum::constant(0)});
+    look.material =
+        GltfSurface(scene_, textures_, coats_, {}).add(DiffuseMaterial{Spectrum::constant(0)});
     AreaEmission emission;
     emission.two_sided = true;
     constexpr auto kNit = static_cast<float>(1 / kLumensPerWatt);
@@ -266,13 +272,17 @@ GltfLook GltfMaterials::made(const std::optional<JsonPlace>& material,
     if (material && material->extension("KHR_materials_unlit")) return made_unlit(*material, pbr);
     GltfLook look;
     const BumpMap bump_map = material ? normal_map_of(*material, vertices) : BumpMap();
-    GltfSurface surface(scene_, textures_, bump_map);
+    GltfSurface surface(scene_, textures_, coats_, bump_map);
     const bool is_glass = material && add_glass(*material, pbr, surface, look);
     if (!is_glass) look.material = surface.add_opaque(pbr, material);
     if (!material) return look;
     add_emission(*material, vertices, look);
     add_alpha(*material, pbr, look);
     if (const auto e = material->extension("KHR_materials_anisotropy"); e && pbr.anisotropy > 0) {
+        if (pbr.direction)
+            scene_.warnings.add(
+                pbr.direction->place.where(),
+                "this texture gives the strength of anisotropy alone, no direction");
         look.tangent_turn = e->number("anisotropyRotation", 0);
         if (look.tangent_turn != 0 && !is_flat(bump_map)) {
             scene_.warnings.add(e->where(), "anisotropy is not rotated under a normal map");

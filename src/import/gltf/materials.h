@@ -56,7 +56,8 @@ public:
     MediumNumber medium_of(const Vec3d& absorption);
 
 private:
-    /// Number of a material, and the primitive if its vertices carry something.
+    /// Number of a material, and the primitive if its vertices carry something; a text for all
+    /// whose vertices have no texture coordinates.
     using Key = std::pair<std::optional<std::size_t>, std::string>;
 
     std::optional<JsonPlace> material_of(const JsonPlace& primitive) const;
@@ -71,6 +72,7 @@ private:
     GltfDocument& document_;
     SceneDescription& scene_;
     GltfTextures textures_;
+    GltfCoats coats_;
     std::optional<std::size_t> variant_{};
     bool is_in_watts_ = false;  // emission
     bool told_watts_ = false;

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstdint>
 #include <utility>
 
 namespace sunfleck::engine {
@@ -26,16 +26,6 @@ FloatTexture changed(const GltfTextures::Slot& slot, const Change& change) {
     return FloatTexture(FloatKind{std::move(kind)});
 }
 
-double mean_of(const std::optional<GltfTextures::Slot>& slot) {
-    if (!slot) return 1;
-    const Image& image = *slot->image.image;
-    const Vec2i size = image.resolution();
-    double sum = 0;
-    for (int y = 0; y < size.y; ++y)
-        for (int x = 0; x < size.x; ++x) sum += static_cast<double>(image.at(x, y)[0]);
-    return sum / (static_cast<double>(size.x) * size.y);
-}
-
 void read_anisotropy(const JsonPlace& material, GltfTextures& textures, GltfPbr& pbr) {
     const auto extension = material.extension("KHR_materials_anisotropy");
     if (!extension) return;
@@ -52,9 +42,22 @@ Vec2 alphas_of(double roughness, double strength) {
     return {static_cast<float>(along), static_cast<float>(alpha)};
 }
 
-std::optional<Ggx> facets_of(const Vec2& alphas) {
-    if (std::max(alphas.x, alphas.y) < kSmoothAlpha) return {};
-    return Ggx{std::max(alphas.x, 1e-4F), std::max(alphas.y, 1e-4F)};
+/// Returns how far each texel of a roughness is between two others, in [0,1].
+FloatTexture share_beyond(const GltfTextures::Slot& slot, double factor, double from, double to) {
+    const Image& image = *slot.image.image;
+    const Vec2i size = image.resolution();
+    std::vector<std::uint8_t> texels;  // several images of one texture: small
+    texels.reserve(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const double roughness = factor * static_cast<double>(image.at(x, y)[0]);
+            const double share = std::clamp((roughness - from) / (to - from), 0.0, 1.0);
+            texels.push_back(static_cast<std::uint8_t>(std::lround(255 * share)));
+        }
+    FloatImageKind kind{slot.image};
+    kind.image =
+        std::make_shared<const Image>(size, 1, std::move(texels), Encoding{Encoding::Kind::linear});
+    return FloatTexture(FloatKind{std::move(kind)});
 }
 
 }  // namespace
@@ -64,8 +67,10 @@ GltfPbr pbr_of(const std::optional<JsonPlace>& material, GltfTextures& textures,
     GltfPbr pbr;
     pbr.vertices = vertices;
     if (!material) return pbr;
-    if (const auto e = material->extension("KHR_materials_ior"))
-        pbr.ior = e->number("ior", 1.5, 1, std::numeric_limits<double>::infinity());
+    if (const auto e = material->extension("KHR_materials_ior")) {
+        const bool is_infinite = e->number("ior", 1.5) == 0;
+        pbr.ior = is_infinite ? kInfiniteIndex : e->number("ior", 1.5, 1, kInfiniteIndex);
+    }
     read_anisotropy(*material, textures, pbr);
     const auto place = material->find("pbrMetallicRoughness");
     if (!place) return pbr;
@@ -124,33 +129,66 @@ FloatTexture alpha_of(const GltfPbr& pbr) {
 }
 
 Roughness roughness_of(const GltfPbr& pbr) {
-    const auto alpha_at = [&](double roughness, bool is_along) {
-        // The strength of a texture is that of its mean, so that alpha needs one texture alone.
-        const Vec2 alphas =
-            alphas_of(roughness, is_along ? pbr.anisotropy * mean_of(pbr.direction) : 0);
-        return alphas.x;
-    };
-    const auto alphas = [&](bool is_along) -> FloatTexture {
-        if (!pbr.green) return alpha_at(pbr.roughness, is_along);
+    const auto alphas = [&](double strength) -> FloatTexture {
+        if (!pbr.green) return alphas_of(pbr.roughness, strength).x;
         return changed(*pbr.green, [&](float r) {
-            return alpha_at(pbr.roughness * static_cast<double>(r), is_along);
+            return alphas_of(pbr.roughness * static_cast<double>(r), strength).x;
         });
     };
-    const FloatTexture across = alphas(false);
-    return {pbr.anisotropy > 0 ? alphas(true) : across, across, false, true};
+    const FloatTexture across = alphas(0);
+    if (pbr.anisotropy == 0) return {across, across, false, true};
+    if (!pbr.direction) return {alphas(pbr.anisotropy), across, false, true};
+    // alpha + (1 - alpha) strength^2
+    const FloatTexture squares = changed(*pbr.direction, [&](float strength) {
+        const double s = pbr.anisotropy * static_cast<double>(strength);
+        return static_cast<float>(s * s);
+    });
+    return {FloatTexture(FloatKind{MixKind<FloatTexture>{across, 1.0F, squares}}), across, false,
+            true};
 }
 
 FloatTexture metallic_of(const GltfPbr& pbr) {
     return number_of(pbr.blue, pbr.metallic);
 }
 
-std::optional<Ggx> mean_facets(const GltfPbr& pbr) {
-    return facets_of(
-        alphas_of(pbr.roughness * mean_of(pbr.green), pbr.anisotropy * mean_of(pbr.direction)));
+double mean_of(const std::optional<GltfTextures::Slot>& slot) {
+    if (!slot) return 1;
+    const Image& image = *slot->image.image;
+    const Vec2i size = image.resolution();
+    double sum = 0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) sum += static_cast<double>(image.at(x, y)[0]);
+    return sum / (static_cast<double>(size.x) * size.y);
 }
 
-std::optional<Ggx> mean_facets(const std::optional<GltfTextures::Slot>& slot, double roughness) {
-    return facets_of(alphas_of(roughness * mean_of(slot), 0));
+std::optional<Ggx> facets_of(double roughness, double strength) {
+    const Vec2 alphas = alphas_of(roughness, strength);
+    if (std::max(alphas.x, alphas.y) < kSmoothAlpha) return {};
+    return Ggx{std::max(alphas.x, 1e-4F), std::max(alphas.y, 1e-4F)};
+}
+
+RoughnessSteps steps_of(const std::optional<GltfTextures::Slot>& slot, double factor) {
+    constexpr double kSteps = 8;
+    constexpr double kEven = 1.0 / 64;
+    if (!slot || factor == 0) return {{factor}, {}};
+    const Image& image = *slot->image.image;
+    double least = 1;
+    double most = 0;
+    for (int y = 0; y < image.resolution().y; ++y)
+        for (int x = 0; x < image.resolution().x; ++x) {
+            const double roughness = factor * static_cast<double>(image.at(x, y)[0]);
+            least = std::min(least, roughness);
+            most = std::max(most, roughness);
+        }
+    if (!(most - least > kEven)) return {{factor * mean_of(slot)}, {}};
+    RoughnessSteps steps;
+    for (double step = std::floor(least * kSteps); step <= std::ceil(most * kSteps); ++step) {
+        if (!steps.roughness.empty())
+            steps.amounts.push_back(
+                share_beyond(*slot, factor, steps.roughness.back(), step / kSteps));
+        steps.roughness.push_back(step / kSteps);
+    }
+    return steps;
 }
 
 }  // namespace sunfleck::engine

@@ -7,8 +7,12 @@
 #include "material/material.h"
 
 #include <optional>
+#include <vector>
 
 namespace sunfleck::engine {
+
+/// An index that reflects all: KHR_materials_ior writes 0 for it.
+inline constexpr double kInfiniteIndex = 1e9;
 
 /// The parameters of a surface, with their textures.
 struct GltfPbr {
@@ -42,8 +46,21 @@ FloatTexture alpha_of(const GltfPbr& pbr);
 Roughness roughness_of(const GltfPbr& pbr);
 FloatTexture metallic_of(const GltfPbr& pbr);
 
-/// Returns a coat's facets of one width everywhere: of textures the mean. None if it is smooth.
-std::optional<Ggx> mean_facets(const GltfPbr& pbr);
-std::optional<Ggx> mean_facets(const std::optional<GltfTextures::Slot>& slot, double roughness);
+/// Returns the mean of a texture of one channel; 1 without one.
+double mean_of(const std::optional<GltfTextures::Slot>& slot);
+
+/// Returns a coat's facets. None if it is smooth.
+/// @param strength  of the anisotropy, in [0,1].
+std::optional<Ggx> facets_of(double roughness, double strength = 0);
+
+/// A roughness that varies, as a mix of a few: a coat's facets have one width.
+struct RoughnessSteps {
+    std::vector<double> roughness;      // increasing; one at least
+    std::vector<FloatTexture> amounts;  // of each step but the first, in a mix with all before it
+};
+
+/// Returns the roughness in steps of 1/8 between which it is interpolated; of a texture that hardly
+/// varies, its mean alone.
+RoughnessSteps steps_of(const std::optional<GltfTextures::Slot>& slot, double factor);
 
 }  // namespace sunfleck::engine

@@ -22,7 +22,7 @@ namespace sunfleck::engine {
 namespace {
 
 /// Extensions that are read. Others are named in a warning, or refused where they are required.
-constexpr std::array<std::string_view, 20> kExtensions = {"EXT_lights_ies",
+constexpr std::array<std::string_view, 21> kExtensions = {"EXT_lights_ies",
                                                           "EXT_mesh_gpu_instancing",
                                                           "EXT_texture_webp",
                                                           "KHR_lights_punctual",
@@ -33,6 +33,7 @@ constexpr std::array<std::string_view, 20> kExtensions = {"EXT_lights_ies",
                                                           "KHR_materials_emissive_strength",
                                                           "KHR_materials_ior",
                                                           "KHR_materials_iridescence",
+                                                          "KHR_materials_sheen",
                                                           "KHR_materials_specular",
                                                           "KHR_materials_transmission",
                                                           "KHR_materials_unlit",
@@ -74,7 +75,8 @@ void check_extensions(const GltfDocument& document, SceneDescription& scene) {
                             "export the scene without it");
         }
     for (const JsonPlace& used : document.root().elements("extensionsUsed"))
-        if (!is_read(used.text()) && !is_harmless(used.text()))
+        if (!is_read(used.text()) && !is_harmless(used.text()) &&
+            used.text() != "KHR_texture_basisu")  // named where textures have it
             scene.warnings.add(used.where(), "the extension " + used.text() +
                                                  " is not read: what it adds is left out");
 }

@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "image/read_image.h"
+#include "image/srgb.h"
 #include "import/gltf/uri.h"
 #include "math/trigonometry.h"
 
@@ -36,6 +37,25 @@ std::optional<JsonPlace> source_of(const JsonPlace& texture) {
 /// Returns 8-bit texels under another encoding; floats and halves are linear as they are.
 Image encoded_as(const Image& image, Encoding::Kind kind) {
     return {image.resolution(), image.channels(), image.texels(), Encoding{kind}};
+}
+
+/// Returns whether a file is a PNG with 16 bits per channel.
+bool is_deep_png(std::string_view bytes) {
+    constexpr std::size_t kDepth = 24;  // place of the number of bits
+    return bytes.starts_with("\x89PNG") && bytes.size() > kDepth && bytes[kDepth] == 16;
+}
+
+/// Returns the linear light of texels that hold sRGB as numbers; alpha stays.
+Image decoded(const Image& image) {
+    const Vec2i size = image.resolution();
+    std::vector<float> texels;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x)
+            for (int c = 0; c < image.channels(); ++c) {
+                const float value = image.at(x, y).at(static_cast<std::size_t>(c));
+                texels.push_back(c == 3 ? value : srgb_decode(value));
+            }
+    return {size, image.channels(), std::move(texels)};
 }
 
 Image channel_of(const Image& image, std::size_t channel) {
@@ -84,6 +104,7 @@ GltfTextures::GltfTextures(GltfDocument& document, Warnings& warnings)
     : document_(document), warnings_(warnings) {
     const std::size_t count = document.count("images");
     images_.resize(count);
+    is_deep_.resize(count);
     std::vector<std::size_t> used;
     for (const JsonPlace& texture : document.root().elements("textures"))
         if (const auto source = source_of(texture)) used.push_back(source->index(count, "image"));
@@ -97,11 +118,13 @@ void GltfTextures::load(const std::vector<std::size_t>& numbers) {
     std::vector<Encoded> files;
     for (const std::size_t number : numbers) files.push_back(encoded_image(document_, all[number]));
     document_.check_missing();
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+        is_deep_[numbers[i]] = is_deep_png(files[i].bytes);
     std::vector<std::optional<Error>> faults(numbers.size());
     parallel_for(numbers.size(), [&](std::size_t i) {
         try {
-            images_[numbers[i]] = std::make_shared<const Image>(
-                parse_image(files[i].bytes, files[i].name, Encoding{Encoding::Kind::linear}));
+            images_[numbers[i]] = std::make_shared<const Image>(parse_image_with_alpha(
+                files[i].bytes, files[i].name, Encoding{Encoding::Kind::linear}));
         } catch (const Error& fault) {
             faults[i] = fault;
         }
@@ -115,7 +138,8 @@ std::shared_ptr<const Image> GltfTextures::image_of(std::size_t number, TexelUse
     if (made) return made;
     const Image& stored = *images_[number];
     if (use == TexelUse::colour) {
-        made = std::make_shared<const Image>(encoded_as(stored, Encoding::Kind::srgb));
+        made = std::make_shared<const Image>(
+            is_deep_[number] ? decoded(stored) : encoded_as(stored, Encoding::Kind::srgb));
     } else {
         const Image linear = encoded_as(stored, Encoding::Kind::linear);
         const auto channel =
@@ -138,14 +162,17 @@ std::optional<GltfTextures::Slot> GltfTextures::find(const JsonPlace& holder, st
     if (!info) return {};
     const JsonPlace texture = document_.element("textures", info->at("index"));
     const auto source = source_of(texture);
+    const bool has_ktx = texture.extension("KHR_texture_basisu").has_value();
+    if (!source && has_ktx)
+        texture.refuse("has its image in KTX2 alone (KHR_texture_basisu), which is not read",
+                       "export it with PNG or JPEG");
     if (!source) {
-        const bool is_ktx = texture.extension("KHR_texture_basisu").has_value();
-        warnings_.add(texture.where(),
-                      is_ktx ? "has its image as KTX2 alone (KHR_texture_basisu), which is not "
-                               "read: the texture is left out"
-                             : "has no image: the texture is left out");
+        warnings_.add(texture.where(), "has no image: the texture is left out");
         return {};
     }
+    if (has_ktx)
+        warnings_.add(texture.where(),
+                      "its image in KTX2 (KHR_texture_basisu) is not read: the other is used");
     ImageKind image;
     image.image = image_of(source->index(images_.size(), "image"), use);
     if (const auto index = texture.find("sampler")) {
@@ -156,7 +183,8 @@ std::optional<GltfTextures::Slot> GltfTextures::find(const JsonPlace& holder, st
     const auto transform = info->extension("KHR_texture_transform");
     if (transform) image.mapping = mapping_of(*transform);
     const std::uint64_t uv_set = uv_set_of(*info);
-    if (uv_set == vertices.own_set) return Slot{std::move(image), *info};
+    const bool is_own = uv_set == vertices.own_set;
+    if (is_own && vertices.has_own_set) return Slot{std::move(image), *info};
     const auto others = vertices.other_sets.find(uv_set);
     if (others == vertices.other_sets.end()) {
         warnings_.add(info->where(),

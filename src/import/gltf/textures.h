@@ -41,6 +41,7 @@ public:
 
     /// Returns what a textureInfo names, by the coordinates that it asks for. Where its image or
     /// its coordinates cannot be had, it returns nothing and warns.
+    /// @throws Error  for an image in KTX2 alone.
     std::optional<Slot> find(const JsonPlace& holder, std::string_view key, TexelUse use,
                              const GltfVertices& vertices);
 
@@ -51,6 +52,7 @@ private:
     GltfDocument& document_;
     Warnings& warnings_;
     std::vector<std::shared_ptr<const Image>> images_;  // as stored; null: not used, or not read
+    std::vector<bool> is_deep_;                         // 16 bits per channel, not decoded
     std::map<std::pair<std::size_t, TexelUse>, std::shared_ptr<const Image>> made_;
 };
 

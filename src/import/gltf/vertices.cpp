@@ -15,16 +15,29 @@ void check_vertices(const JsonPlace& attribute, std::size_t size, const Triangle
                          "export the file again");
 }
 
+/// Returns what makes colours of at most 1 of an accessor's numbers: integers are meant to be
+/// normalised, and some exporters do not say so.
+float scale_of_colours(const JsonPlace& accessor) {
+    constexpr std::uint64_t kByte = 5121;
+    constexpr std::uint64_t kShort = 5123;
+    if (accessor.flag("normalized", false)) return 1;
+    const std::uint64_t type = accessor.whole("componentType", 0);
+    if (type == kByte) return 1 / 255.0F;
+    return type == kShort ? 1 / 65535.0F : 1.0F;
+}
+
 /// Reads RGB or RGBA in [0,1].
 void read_colours(const GltfDocument& document, const Accessors& accessors,
                   const JsonPlace& attribute, const TriangleMesh& mesh, GltfVertices& vertices) {
     const auto held = [](float x) { return std::clamp(x, 0.0F, 1.0F); };
+    const JsonPlace accessor = document.element("accessors", attribute);
+    const float scale = scale_of_colours(accessor);
     std::vector<Vec3> colours;
     std::vector<Vec2> alphas;
-    if (document.element("accessors", attribute).text("type", "") == "VEC4") {
+    if (accessor.text("type", "") == "VEC4") {
         for (const auto& c : accessors.quadruples(attribute)) {
-            colours.emplace_back(held(c[0]), held(c[1]), held(c[2]));
-            alphas.emplace_back(held(c[3]), 0.0F);
+            colours.emplace_back(held(scale * c[0]), held(scale * c[1]), held(scale * c[2]));
+            alphas.emplace_back(held(scale * c[3]), 0.0F);
         }
         const bool is_opaque = std::all_of(alphas.begin(), alphas.end(),
                                            [](const Vec2& alpha) { return alpha.x == 1; });
@@ -32,7 +45,7 @@ void read_colours(const GltfDocument& document, const Accessors& accessors,
             vertices.alphas = std::make_shared<const std::vector<Vec2>>(std::move(alphas));
     } else {
         for (const Vec3& c : accessors.triples(attribute))
-            colours.emplace_back(held(c.x), held(c.y), held(c.z));
+            colours.emplace_back(held(scale * c.x), held(scale * c.y), held(scale * c.z));
     }
     check_vertices(attribute, colours.size(), mesh);
     vertices.colours = std::make_shared<const std::vector<Vec3>>(std::move(colours));
@@ -45,6 +58,7 @@ GltfVertices vertices_of(const GltfDocument& document, const Accessors& accessor
                          const TriangleMesh& mesh) {
     GltfVertices vertices;
     vertices.own_set = uv_sets.front();
+    vertices.has_own_set = !mesh.uvs.empty();
     const JsonPlace attributes = primitive.at("attributes");
     if (const auto colours = attributes.find("COLOR_0"))
         read_colours(document, accessors, *colours, mesh, vertices);

@@ -13,7 +13,8 @@
 namespace sunfleck::engine {
 
 struct GltfVertices {
-    std::uint64_t own_set = 0;  // number of the texture coordinates that the mesh has
+    std::uint64_t own_set = 0;  // number of the texture coordinates of the mesh
+    bool has_own_set = true;    // the mesh has them
     std::shared_ptr<const VertexValues<Vec2>::Triangles> triangles{};
     /// Other texture coordinates, (u, 1 - v), by their number.
     std::map<std::uint64_t, std::shared_ptr<const std::vector<Vec2>>> other_sets{};

@@ -4,12 +4,14 @@
 #include "gltf_files.h"
 #include "import/gltf/units.h"
 #include "math/wavelengths.h"
+#include "scene/scene.h"
 
 namespace sunfleck::engine {
 namespace {
 
 using testing_support::expect_same;
 using testing_support::square_json;
+using testing_support::textured_square_json;
 using testing_support::warns;
 
 class GltfMaterial : public testing_support::GltfFiles {
@@ -174,6 +176,8 @@ TEST_F(GltfMaterial, alpha_cuts_or_thins) {
     EXPECT_EQ(cover(R"(BLEND")"), 0.3F);
     EXPECT_EQ(cover(R"(MASK")"), 0);
     EXPECT_EQ(cover(R"(MASK","alphaCutoff":0.3)"), 1);
+    EXPECT_EQ(cover(R"(MASK","alphaCutoff":0)"), 1);
+    EXPECT_EQ(cover(R"(MASK","alphaCutoff":1.5)"), 0) << "nothing is left";
     EXPECT_EQ(fault_of(scene_of(R"("alphaMode":"HALF")")),
               "scene.gltf: materials[0].alphaMode: is no mode of alpha; write OPAQUE, MASK or "
               "BLEND");
@@ -181,15 +185,48 @@ TEST_F(GltfMaterial, alpha_cuts_or_thins) {
 
 /// Two texels, of alpha 255 and 128: it is no light, and sRGB says nothing of it.
 TEST_F(GltfMaterial, alpha_of_textures_is_linear) {
-    const SceneDescription scene = with(
-        R"("alphaMode":"BLEND","pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
+    const SceneDescription scene = read(
+        R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{"alphaMode":"BLEND",
+"pbrMetallicRoughness":{"baseColorTexture":{"index":0}}}],
 "textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,)" +
-        std::string(kTwoTexels) + R"("}],"others":[{)");
+        std::string(kTwoTexels) + R"("}],)" + textured_square_json(R"(,"material":0)"));
     Hit hit;
     hit.uv = Vec2(0.75F, 0.5F);
     EXPECT_NEAR(scene.shapes.at(0).placed.cover(hit), 128 / 255.0F, 1e-3F);
     hit.uv = Vec2(0.25F, 0.5F);
     EXPECT_EQ(scene.shapes[0].placed.cover(hit), 1);
+}
+
+/// The square has no texture coordinates: what the factor says counts alone, and emission too.
+TEST_F(GltfMaterial, textures_without_coordinates_are_left_out) {
+    const SceneDescription scene = with(
+        R"("pbrMetallicRoughness":{"baseColorFactor":[0.5,0.5,0.5,1],"baseColorTexture":{"index":0}},
+"emissiveFactor":[1,1,1],"emissiveTexture":{"index":0},"normalTexture":{"index":0}}],
+"textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,)" +
+        std::string(kTwoTexels) + R"("}],"others":[{)");
+    const auto& metal = std::get<ConductorMaterial>(material_of(scene));
+    expect_same(metal.reflectance->curve(), Spectrum::rgb_albedo({0.5F, 0.5F, 0.5F}));
+    EXPECT_FALSE(scene.shapes[0].emission->image);
+    EXPECT_TRUE(is_flat(scene.bump_maps.at(scene.shapes[0].material)));
+    EXPECT_TRUE(warns(scene,
+                      "baseColorTexture: warning: asks for texture coordinates that its "
+                      "mesh lacks: the texture is left out"));
+}
+
+/// 0 stands for an index without end: reflection is the colour of KHR_materials_specular alone.
+TEST_F(GltfMaterial, an_index_of_zero_is_infinite) {
+    const std::string begin =
+        R"("pbrMetallicRoughness":{"metallicFactor":0},"extensions":{"KHR_materials_ior":{"ior":0})";
+    const SceneDescription grey =
+        with(begin + R"(,"KHR_materials_specular":{"specularColorFactor":[0.04,0.04,0.04]}})");
+    const auto& plastic = std::get<CoatedDiffuseMaterial>(material_of(grey));
+    EXPECT_NEAR(plastic.coat->reflectance(1), 0.04F, 1e-6F);
+    const SceneDescription mirror = with(begin + "}");
+    EXPECT_GT(std::get<CoatedDiffuseMaterial>(material_of(mirror)).coat->reflectance(1), 0.89F);
+    const SceneDescription glass =
+        with(begin + R"(,"KHR_materials_transmission":{"transmissionFactor":1}})");
+    EXPECT_EQ(std::get<ThinDielectricMaterial>(material_of(glass)).eta(550), 1.5F);
+    EXPECT_TRUE(warns(glass, "glass of an infinite index: 1.5 is taken"));
 }
 
 TEST_F(GltfMaterial, numbers_out_of_range_are_refused) {
@@ -198,6 +235,37 @@ TEST_F(GltfMaterial, numbers_out_of_range_are_refused) {
               "write a number of 0.0 to 1.0");
     EXPECT_NE(fault_of(scene_of(R"("extensions":{"KHR_materials_ior":{"ior":0.5}})")), "");
     EXPECT_NE(fault_of(scene_of(R"("emissiveFactor":[1,1])")), "");
+}
+
+/// Both sides of a pane let light through, whatever the flag says.
+TEST_F(GltfMaterial, two_sided_glass_is_glass) {
+    for (const char* flag : {"true", "false"}) {
+        const SceneDescription scene = read(
+            R"("materials":[{"doubleSided":)" + std::string(flag) +
+            R"(,"pbrMetallicRoughness":{"metallicFactor":0,"roughnessFactor":0},
+"extensions":{"KHR_materials_transmission":{"transmissionFactor":1}}}],)" +
+            R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)" + square_json(R"(,"material":0)"));
+        EXPECT_TRUE(std::holds_alternative<ThinDielectricMaterial>(
+            scene.materials.at(scene.shapes.at(0).material)));
+    }
+}
+
+/// The factor, the strength and the texture, each once.
+TEST_F(GltfMaterial, emission_is_factor_times_strength_times_texture) {
+    const SceneDescription scene = read(
+        R"("materials":[{"emissiveFactor":[0.5,0.5,0.5],"emissiveTexture":{"index":0},
+"extensions":{"KHR_materials_emissive_strength":{"emissiveStrength":683}}}],
+"textures":[{"source":0}],"images":[{"uri":"data:image/png;base64,)"
+        R"(iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mP4//8/AAX+Av4zEpUUAAAAAElFTkSuQmCC"}],
+"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],)" +
+        textured_square_json(R"(,"material":0)"));
+    const AreaEmission& emission = *scene.shapes.at(0).emission;
+    ASSERT_TRUE(emission.image);
+    const Scene built(scene);
+    double power = 0;
+    for (const Light& light : built.lights())
+        power += std::visit([&](const auto& l) { return l.power(built.sphere()); }, light);
+    EXPECT_NEAR(power, 0.5 * kPiDouble, 1e-3);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@ namespace sunfleck::engine {
 namespace {
 
 using testing_support::square_json;
+using testing_support::textured_square_json;
 using testing_support::warns;
 
 class GltfOpaque : public testing_support::GltfFiles {
@@ -62,7 +63,9 @@ TEST_F(GltfOpaque, iridescence_is_a_film_on_metal) {
     const auto& metal = std::get<IridescentConductorMaterial>(material_of(scene));
     EXPECT_EQ(metal.film_eta, 1.8F);
     EXPECT_EQ(metal.thickness.constant(), 550);
-    EXPECT_TRUE(warns(with(0, film), "iridescence is left out on what is not metal"));
+    EXPECT_TRUE(warns(with(0, film),
+                      "no film lies on what is not metal: it reflects 4.0% along the normal at all "
+                      "wavelengths, with the film 4.0% to 13.5%"));
 }
 
 TEST_F(GltfOpaque, diffuse_transmission_is_a_share_of_the_surface) {
@@ -74,6 +77,47 @@ TEST_F(GltfOpaque, diffuse_transmission_is_a_share_of_the_surface) {
         std::get<DiffuseTransmissionMaterial>(scene.materials.at(mix.components[1]));
     EXPECT_EQ(sheet.reflectance.curve()(550), 0);
     EXPECT_NEAR(sheet.transmittance.curve()(550), 0.5F, 1e-3F);
+}
+
+/// Four texels of green 0, 1/3, 2/3 and 1: coats in steps of 1/8, between which a mix interpolates.
+TEST_F(GltfOpaque, roughness_of_coats_follows_its_texture) {
+    const std::string file =
+        R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],
+"images":[{"uri":"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAQAAAABCAIAAAB2XpiaAAAAE0lEQVR42mNgAIJQBoZVDAz/GQAIBQH/fuf4cgAAAABJRU5ErkJggg=="}],
+"textures":[{"source":0,"sampler":0}],"samplers":[{"magFilter":9728}],
+"materials":[{"pbrMetallicRoughness":{"metallicFactor":0,"metallicRoughnessTexture":{"index":0}}},
+{"pbrMetallicRoughness":{"metallicFactor":1},"extensions":{"KHR_materials_clearcoat":{
+"clearcoatFactor":1,"clearcoatRoughnessFactor":0.5,"clearcoatRoughnessTexture":{"index":0}}}}],)" +
+        textured_square_json(R"(,"material":0},
+{"attributes":{"POSITION":0,"TEXCOORD_0":2},"indices":1,"material":1)");
+    const SceneDescription scene = read(file);
+    EXPECT_FALSE(warns(scene, "mean of this texture"));
+    const auto coat_of = [&](std::uint32_t number) -> const Coat& {
+        const Material& material = scene.materials.at(number);
+        if (const auto* plastic = std::get_if<CoatedDiffuseMaterial>(&material))
+            return *plastic->coat;
+        return *std::get<CoatedConductorMaterial>(material).coat;
+    };
+    // The mean roughness of the mix at a point.
+    const auto roughness_at = [&](std::uint32_t number, const TexturePoint& point) {
+        const auto mean = [&](const auto& self, std::uint32_t material) -> double {
+            const auto* mix = std::get_if<MixMaterial>(&scene.materials.at(material));
+            if (mix == nullptr) {
+                const auto& facets = coat_of(material).facets();
+                return facets ? std::sqrt(double{facets->alpha_x}) : 0;
+            }
+            const double share{mix->amount.at(point)};
+            return (1 - share) * self(self, mix->components[0]) +
+                   share * self(self, mix->components[1]);
+        };
+        return mean(mean, number);
+    };
+    for (int texel = 0; texel < 4; ++texel) {
+        const TexturePoint point(Vec3(0), Vec3(0, 0, 1),
+                                 {(static_cast<float>(texel) + 0.5F) / 4, 0.5F});
+        EXPECT_NEAR(roughness_at(scene.shapes.at(0).material, point), texel / 3.0, 1e-3);
+        EXPECT_NEAR(roughness_at(scene.shapes.at(1).material, point), texel / 6.0, 1e-3);
+    }
 }
 
 }  // namespace

@@ -99,6 +99,8 @@ TEST_F(GltfTexture, takes_the_coordinates_that_it_asks_for) {
     EXPECT_TRUE(std::holds_alternative<VertexMapping>(found("b")->image.mapping));
     EXPECT_FALSE(found("c"));
     EXPECT_EQ(warnings_.entries().size(), 1U);
+    vertices_.has_own_set = false;
+    EXPECT_FALSE(found("a"));
 }
 
 TEST_F(GltfTexture, times_a_colour_keeps_its_texels) {
@@ -117,6 +119,60 @@ TEST_F(GltfTexture, without_an_image_that_can_be_read_is_left_out) {
         textures.find(document.root().at("holder"), "texture", TexelUse::colour, vertices_));
     ASSERT_EQ(warnings_.entries().size(), 1U);
     EXPECT_NE(fault_of(R"("images":[{"uri":"gone.png"}],"textures":[{"source":0}])"), "");
+}
+
+/// One texel of 16 bits: as a colour it is sRGB as that of 8 bits, else as it stands.
+TEST_F(GltfTexture, of_16_bits_is_read_as_that_of_8) {
+    const std::string image =
+        R"("uri":"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAEAAAABEAIAAADA54+dAAAAD0lEQVR42mNoYHBg+P8fAAcEAr9Z40p+AAAAAElFTkSuQmCC")";
+    const Vec3 colour = at(slot(image, TexelUse::colour), {0.5F, 0.5F});
+    EXPECT_NEAR(colour.x, 0.2140F, 2e-4F);
+    EXPECT_NEAR(colour.y, 0.0509F, 2e-4F);
+    EXPECT_EQ(colour.z, 1);
+    const Vec3 stored = at(slot(image, TexelUse::linear), {0.5F, 0.5F});
+    EXPECT_NEAR(stored.x, 0.5F, 1e-4F);
+    EXPECT_NEAR(stored.y, 0.25F, 1e-4F);
+}
+
+/// Two texels of grey and alpha, as programs that make files small write them.
+TEST_F(GltfTexture, of_grey_with_alpha_keeps_its_alpha) {
+    const std::string image =
+        R"("uri":"data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAABCAQAAABeK7cBAAAADUlEQVR42mPY83+PAwAHqgK4DQ4u/wAAAABJRU5ErkJggg==")";
+    EXPECT_EQ(slot(image, TexelUse::colour).image.image->channels(), 4);
+    const auto alpha = slot(image, TexelUse::alpha);
+    EXPECT_EQ(at(alpha, {0.25F, 0.5F}).x, 1);
+    EXPECT_NEAR(at(alpha, {0.75F, 0.5F}).x, 64 / 255.0F, 1e-3F);
+    EXPECT_NEAR(at(slot(image, TexelUse::colour), {0.75F, 0.5F}).x, 0.5029F, 1e-3F);
+}
+
+/// KTX2 is not read: the picture beside it is, and without one there is no scene.
+TEST_F(GltfTexture, of_ktx2_needs_a_picture_beside_it) {
+    png();
+    const auto members = [](const std::string& source) {
+        return R"("extensionsUsed":["KHR_texture_basisu"],"images":[{"uri":"a.ktx2"},{"uri":"a.png"}],
+"textures":[{)" +
+               source + R"("extensions":{"KHR_texture_basisu":{"source":0}}}],
+"scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{"pbrMetallicRoughness":
+{"baseColorTexture":{"index":0}}}],)" +
+               testing_support::square_json(R"(,"material":0)");
+    };
+    const SceneDescription scene = read(members(R"("source":1,)"));
+    EXPECT_TRUE(warns(scene,
+                      "textures[0]: warning: its image in KTX2 (KHR_texture_basisu) is not "
+                      "read: the other is used"));
+    EXPECT_FALSE(warns(scene, "extensionsUsed"));
+    EXPECT_EQ(fault_of(members("")),
+              "scene.gltf: textures[0]: has its image in KTX2 alone (KHR_texture_basisu), which is "
+              "not read; export it with PNG or JPEG");
+}
+
+/// The name says PNG, the bytes are what they are.
+TEST_F(GltfTexture, pictures_are_known_by_their_bytes) {
+    const std::string nothing =
+        R"("images":[{"mimeType":"image/jpeg","uri":"data:image/jpeg;base64,)"
+        R"(iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAIAAACQd1PeAAAADElEQVR42mP4//8/AAX+Av4zEpUUAAAAAElFTkSuQmCC"}],
+"textures":[{"source":0}])";
+    EXPECT_EQ(fault_of(nothing), "");
 }
 
 }  // namespace

@@ -65,5 +65,23 @@ TEST_F(GltfVertexTest, arrays_that_do_not_fit_are_refused) {
               "export the file again");
 }
 
+/// Integers that the file forgets to call normalised are so: a colour is at most 1.
+TEST_F(GltfVertexTest, colours_of_integers_are_normalised_whatever_the_file_says) {
+    const auto cover = [&](std::string file) {
+        const std::string flag = R"(,"normalized":true)";
+        file.erase(file.find(flag), flag.size());
+        const SceneDescription scene = read(file);
+        Hit hit;
+        hit.weights = Vec2(0, 0.5F);
+        return scene.shapes.at(0).placed.cover(hit);
+    };
+    const std::string bytes =
+        bytes_of<std::uint8_t>({255, 0, 0, 204, 0, 255, 0, 204, 0, 0, 255, 51});
+    EXPECT_FLOAT_EQ(cover(triangle(bytes, "VEC4", 5121)), 0.5F);
+    const std::string words =
+        bytes_of<std::uint16_t>({65535, 0, 0, 52428, 0, 65535, 0, 52428, 0, 0, 65535, 13107});
+    EXPECT_FLOAT_EQ(cover(triangle(words, "VEC4", 5123)), 0.5F);
+}
+
 }  // namespace
 }  // namespace sunfleck::engine
