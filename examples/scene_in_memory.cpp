@@ -41,7 +41,7 @@ sunfleck::Scene ball_on_table() {
 int main(int count, char** words) {
     try {
         sunfleck::Renderer renderer(ball_on_table(), sunfleck::Settings().set("aovs", "caustic"));
-        renderer.step(16);
+        renderer.step(4);
         const sunfleck::Picture picture = renderer.picture();
         const auto caustic = picture.channel("caustic.G");
         std::cout << "brightest pixel of the caustic: "

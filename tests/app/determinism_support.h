@@ -61,10 +61,14 @@ protected:
         return {read_text(path(name + ".film")), read_text(path(name + ".exr"))};
     }
 
-    /// Whole; two parts either way round; stopped and resumed.
-    void expect_one_render(int threads, const Bytes& expected) const {
+    /// Whole, by this number of threads.
+    void expect_whole(int threads, const Bytes& expected) const {
         part("whole", "0:16", threads);
         EXPECT_TRUE(bytes("whole") == expected) << "whole, threads " << threads;
+    }
+
+    /// Two parts either way round; stopped and resumed, by fewer threads each time.
+    void expect_one_render_of_parts(int threads, const Bytes& expected) const {
         part("low", "0:5", threads);
         part("high", "5:16", threads);
         merge("sum", {"low", "high"});

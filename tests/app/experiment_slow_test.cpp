@@ -55,23 +55,22 @@ TEST_F(ExperimentRun, makes_a_figure_and_goes_on) {
 
 /// Finished cells are kept, the one under way goes on, and nothing shows in the end.
 TEST_F(ExperimentRun, goes_on_where_it_was_interrupted) {
-    Words longer = small("fig8");
+    Words longer = small("fig5");
     longer[3] = "3";
     Process process(path(""), longer);
-    const std::string cells = path("run/cells/cornell-door/");
-    for (int i = 0; i < 6000 && !fs::exists(cells + "target-0.234/seed-1.part/passes-000001.exr");
-         ++i)
+    const std::string cells = path("run/cells/room/");
+    for (int i = 0; i < 6000 && !fs::exists(cells + "adaptive/seed-1.part/passes-000001.exr"); ++i)
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     process.send(SIGINT);
     EXPECT_EQ(process.wait().code, 130);
     EXPECT_TRUE(fs::exists(cells + "reference-uniform/seed-1000"));
-    EXPECT_TRUE(fs::exists(cells + "target-0.234/seed-1.part/render.ckpt"));
+    EXPECT_TRUE(fs::exists(cells + "adaptive/seed-1.part/render.ckpt"));
     const Ran again = run(longer);
     ASSERT_EQ(again.code, 0) << again.err;
     Words whole = longer;
     whole[9] = "whole";
     ASSERT_EQ(run(whole).code, 0);
-    const std::string last = "cells/cornell-door/target-0.234/seed-1/passes-000003.exr";
+    const std::string last = "cells/room/adaptive/seed-1/passes-000003.exr";
     EXPECT_EQ(read_text(path("run/" + last)), read_text(path("whole/" + last)));
     const auto count = [&](const std::string& folder) {
         const auto all = fs::recursive_directory_iterator(path(folder));

@@ -7,7 +7,7 @@ namespace {
 using Kills = testing_support::KillTest;
 
 TEST_F(Kills, twenty_lose_nothing_but_time) {
-    expect_survives(20, 1000, {"0.000001", "0.02"});
+    expect_survives(20, 400, {"0.000001", "0.005"});
 }
 
 }  // namespace

@@ -27,6 +27,7 @@ fi
 if nm -D --defined-only -C "$library" | grep 'sunfleck::engine::'; then fail "internals are exported"; fi
 
 "$prefix/bin/sunfleck" scene cornell -o scene >/dev/null
+sed -i -E 's/("integer [xy]resolution") [0-9]+/\1 64/g' scene/cornell.pbrt
 "$prefix/bin/sunfleck" render scene/cornell.pbrt --passes 3 --quiet -o program.exr
 "$build/bin/picture_hash" program.exr >program.hash
 

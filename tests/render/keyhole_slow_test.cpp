@@ -58,12 +58,14 @@ TEST(KeyholeSlow, uniform_photons_bring_the_known_light) {
 
 /// At its default number of paths, where uniform paths and chains would find nothing and the
 /// picture would be black: 99% of the ratio lies within 2% of one, with the lamp (its four
-/// dimensions depend on each other: slanted boxes must fit them) within 4%.
+/// dimensions depend on each other: slanted boxes must fit them) within 4%. The interval of three
+/// renders by the sun is 0.3%, that of five by the lamp 1.8%. Keyhole-8 lies between two of these:
+/// keyhole_nightly_test.cpp.
 TEST(KeyholeSlow, maps_bring_the_known_light_where_chains_find_none) {
-    for (std::size_t i = 1; i < kKeyholes.size(); ++i) {
+    for (const std::size_t i : {1, 3, 4}) {
         const Keyhole& keyhole = kKeyholes.at(i);
         const bool is_sun = keyhole.light == KeyholeLight::sun;
-        const int renders = is_sun ? 4 : 8;
+        const int renders = is_sun ? 3 : 5;
         const Estimate luminance = brought({}, renders, 64, std::string(keyhole.name)).luminance;
         const double band = is_sun ? 0.02 : 0.04;
         EXPECT_LT(worst_ratio(luminance, {keyhole_truth(keyhole).luminance, 0}), band)
@@ -74,7 +76,7 @@ TEST(KeyholeSlow, maps_bring_the_known_light_where_chains_find_none) {
 TEST(KeyholeSlow, adaptive_photons_bring_the_known_light) {
     RenderSettings settings;
     settings.photon.paths_per_pass = 60'000;
-    expect_known(brought(settings, 12, 64).luminance, 0.1);
+    expect_known(brought(settings, 5, 64).luminance, 0.05);
 }
 
 }  // namespace
