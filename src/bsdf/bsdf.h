@@ -1,10 +1,11 @@
-// BSDF: variant of all BSDF models, with functions that dispatch to them. To add one:
-// docs/develop/adding.md.
+// BSDF: variant of all BSDF models, and of phase functions, with functions that dispatch to them.
+// To add one: docs/develop/adding.md.
 #pragma once
 
 #include "bsdf/coated_conductor.h"
 #include "bsdf/coated_diffuse.h"
 #include "bsdf/diffuse_transmission.h"
+#include "bsdf/henyey_greenstein.h"
 #include "bsdf/iridescent_conductor.h"
 #include "bsdf/lambert.h"
 #include "bsdf/model.h"
@@ -21,10 +22,12 @@ namespace sunfleck::engine {
 template <BsdfModel... Models>
 using BsdfVariant = std::variant<Models...>;
 
-/// BSDF at one point of a surface: a value, which visible points copy.
-using Bsdf = BsdfVariant<Lambert, SmoothDielectric, RoughDielectric, ThinDielectric,
-                         SmoothConductor, RoughConductor, IridescentConductor, CoatReflection,
-                         CoatedBase, CoatedDiffuse, CoatedConductor, DiffuseTransmission>;
+/// BSDF at one point of a surface, or phase function at one of a medium: a value, which visible
+/// points copy.
+using Bsdf =
+    BsdfVariant<Lambert, SmoothDielectric, RoughDielectric, ThinDielectric, SmoothConductor,
+                RoughConductor, IridescentConductor, CoatReflection, CoatedBase, CoatedDiffuse,
+                CoatedConductor, DiffuseTransmission, HenyeyGreenstein>;
 
 /// Returns f per steradian, without the cosine; zero for delta lobes (bsdf/model.h).
 inline SampledSpectrum eval(const Bsdf& bsdf, const Vec3& wo, const Vec3& wi, Transport transport) {
@@ -47,6 +50,16 @@ inline std::optional<BsdfSample> sample(const Bsdf& bsdf, const Vec3& wo,
 
 inline Scattering scattering(const Bsdf& bsdf) {
     return std::visit([](const auto& b) { return b.scattering(); }, bsdf);
+}
+
+/// Returns whether it is the phase function of a medium.
+inline bool is_of_medium(const Bsdf& bsdf) {
+    return std::visit([]<class B>(const B&) { return VolumeModel<B>; }, bsdf);
+}
+
+/// Returns the cosine that belongs to f: one in a medium, which has no normal.
+inline float cosine_of(const Bsdf& bsdf, const Vec3& wi) {
+    return is_of_medium(bsdf) ? 1 : std::abs(wi.z);
 }
 
 /// Returns whether eval() can be nonzero for directions of these sides.

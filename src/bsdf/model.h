@@ -65,6 +65,12 @@ concept BsdfModel = std::copyable<B> &&
     { b.reflection_probability(w, hero) } -> std::same_as<float>;
 };
 
+/// A phase function: scattering at a point of a medium.
+template <class B>
+concept VolumeModel = BsdfModel<B> && requires {
+    requires B::is_of_medium();
+};
+
 /// A BSDF that refracts each wavelength in another direction. at_wavelength(i) is the BSDF with the
 /// refractive index of wavelength i at all wavelengths.
 template <class B>

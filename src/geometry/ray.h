@@ -18,7 +18,7 @@ struct Ray {
     float length = kInfinity;
 };
 
-/// The intersection of a ray with a surface.
+/// The intersection of a ray with a surface; or a point in a medium, of no shape.
 struct Hit {
     Vec3 position;  // computed from barycentric coordinates, not from t
     Vec3 normal;    // geometric, unit; points to the outside in pbrt's sense, not to the ray's side
@@ -28,10 +28,20 @@ struct Hit {
     Vec2 weights{0};          // of corners 1 and 2 of a triangle (barycentric); 0 on other shapes
     float error = 0;          // bound of the distance to the exact surface, along each axis
     float distance = 0;       // along the ray
-    std::uint32_t shape = 0;  // index into the list that the geometry was built from
+    std::uint32_t shape = 0;  // index into the list that the geometry was built from, or kNone
     std::uint32_t primitive = 0;  // triangle or patch of a mesh, piece of a curve; 0 for quadrics
     std::uint32_t instance = kNone;  // index into Geometry's instances, or kNone
 };
+
+/// Returns a point in a medium, where paths scatter as at a surface. Its normal means nothing.
+inline Hit point_in_medium(const Vec3& position) {
+    Hit hit;
+    hit.position = position;
+    hit.normal = hit.shading_normal = Vec3(0, 0, 1);
+    hit.tangent = Vec3(1, 0, 0);
+    hit.shape = kNone;
+    return hit;
+}
 
 /// Returns the origin for a ray that leaves the surface into `direction` and must not hit it again:
 /// the position moved along the geometric normal by the error bound, to the side of `direction`.

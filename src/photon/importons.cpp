@@ -10,7 +10,6 @@ namespace sunfleck::engine {
 namespace {
 
 constexpr int kMostBounces = 16;
-constexpr std::uint8_t kAllKinds = 0xFF;
 
 class Importon {
 public:
@@ -23,6 +22,10 @@ public:
           found_(found) {}
 
     void start(const Disc& disc) {
+        if (disc.is_in_medium()) {
+            start_in_medium(disc);
+            return;
+        }
         Vec3 normal = disc.normal;
         if (disc.both_sides && stream_.next() < 0.5) normal = -normal;
         const Vec3 from = disc.position + normal * (1e-3F * disc.radius);
@@ -32,18 +35,32 @@ public:
     }
 
 private:
+    /// Starts in any direction from any point of a cylinder's axis.
+    void start_in_medium(const Disc& disc) {
+        const float along = disc.half_length * (2 * stream_.next_float() - 1);
+        const Vec3 from = disc.position + disc.normal * along;
+        if (const auto sample = guide_samples_.sample(from, stream_))
+            add_if_accepted(disc, from, *sample, 1 / (4 * kPi));
+        go_on({from, Vec3(uniform_sphere({stream_.next(), stream_.next()}))});
+    }
+
     /// Samples light at the first vertex of a walk, where camera paths may compute direct light.
     void look_for_light(const Vec3& at, const Disc& disc, const Vec3& normal) {
         const auto sample = guide_samples_.sample(at, stream_);
         if (!sample) return;
         const float cosine = normal.dot(sample->direct.direction);
-        if (!(cosine > 0)) return;
-        const double weight = weight_of(*sample, SampledSpectrum(cosine / kPi));
+        if (cosine > 0) add_if_accepted(disc, at, *sample, cosine / kPi);
+    }
+
+    /// Adds a light sample that a visible point gathers. @param scattered  per steradian.
+    void add_if_accepted(const Disc& disc, const Vec3& at, const LightAtPoint& sample,
+                         float scattered) {
+        const double weight = weight_of(sample, SampledSpectrum(scattered));
         const int panes =
-            guide_samples_.panes_to({at, sample->direct.direction}, sample->direct.distance);
+            guide_samples_.panes_to({at, sample.direct.direction}, sample.direct.distance);
         const PhotonKind kind = kind_after_smooth(panes);
         if (panes < 0 || !disc.accepts_kind(kind)) return;
-        add(*sample, at, weight);
+        add(sample, at, weight);
     }
 
     void go_on(Ray ray) {

@@ -40,7 +40,7 @@ public:
 
     /// Adds the next photon of a path.
     void add(const Photon& photon, PhotonPath& path) const {
-        if (!index_.accepts_kind(photon.kind)) return;
+        if (!index_.accepts_kind(photon)) return;
         const int height = octree_.height(photon.position);
         path.near = std::max(path.near, height);
         if (height == VisiblePointOctree::kFull) path.photons.push_back(photon);

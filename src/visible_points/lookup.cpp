@@ -1,4 +1,4 @@
-// Gather tests of eight discs at once, compiled once per instruction set; the first call selects
+// Gather tests of eight kernels at once, compiled once per instruction set; the first call selects
 // one.
 //
 // The operations and their order are those of accepts(), without fused ones, so results are the
@@ -88,7 +88,7 @@ HWY_INLINE Mask accept(const DiscBlock& discs, const Photon& photon, int max_dep
     constexpr Integers kTag;
     const auto rules = hn::Load(kTag, &discs.rules[i]);
     const auto kind =
-        hn::Set(kTag, static_cast<std::int32_t>(photon.kind) << DiscBlock::kKindsFrom);
+        hn::Set(kTag, static_cast<std::int32_t>(photon.kinds()) << DiscBlock::kKindsFrom);
     const auto room = hn::Set(kTag, max_depth - static_cast<std::int32_t>(photon.bounces));
     const auto bounces = hn::And(rules, hn::Set(kTag, DiscBlock::kBounces));
     const auto wanted = hn::And(hn::Eq(hn::And(rules, kind), kind), hn::Lt(bounces, room));
@@ -107,13 +107,39 @@ HWY_INLINE Vector radii_for(const DiscBlock& discs, PhotonKind kind, std::size_t
     return hn::Sub(hn::Add(indirect, indirect), radius);
 }
 
-/// Returns a mask: bit i is set if disc i accepts the photon. Names are those of accepts().
-HWY_INLINE unsigned accepting(const DiscBlock& discs, const Photon& photon, int max_depth) {
+/// Returns the ways from kernels i on to a photon.
+HWY_INLINE Vectors ways_to(const Photon& photon, const DiscBlock& discs, std::size_t i) {
+    const Vectors to = all(photon.position);
+    const Vectors from = load(discs.position, i);
+    return {hn::Sub(to.x, from.x), hn::Sub(to.y, from.y), hn::Sub(to.z, from.z)};
+}
+
+/// Returns a mask: bit i is set if cylinder i accepts a photon of a medium. Names are those of
+/// is_in_cylinder().
+HWY_INLINE unsigned accepting_cylinders(const DiscBlock& discs, const Photon& photon,
+                                        int max_depth) {
     unsigned bits = 0;
     for (std::size_t i = 0; i < 8; i += kAtOnce) {
-        const Vectors to = all(photon.position);
-        const Vectors from = load(discs.position, i);
-        const Vectors d{hn::Sub(to.x, from.x), hn::Sub(to.y, from.y), hn::Sub(to.z, from.z)};
+        const Vectors d = ways_to(photon, discs, i);
+        const Vector radius = radii_for(discs, photon.kind, i);
+        const Vector above = dot(d, load(discs.normal, i));
+        const Mask beside = hn::Lt(hn::Abs(above), load(discs.half_length, i));
+        const Mask within =
+            hn::Lt(hn::Sub(dot(d, d), hn::Mul(above, above)), hn::Mul(radius, radius));
+        const Mask taken =
+            hn::And(hn::And(beside, within),
+                    accept(discs, photon, max_depth, hn::MaskFromVec(hn::Zero(Floats())), i));
+        bits |= bits_of(taken, i);
+    }
+    return bits;
+}
+
+/// Returns a mask: bit i is set if kernel i accepts the photon. Names are those of is_in_disc().
+HWY_INLINE unsigned accepting(const DiscBlock& discs, const Photon& photon, int max_depth) {
+    if (photon.in_medium) return accepting_cylinders(discs, photon, max_depth);
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < 8; i += kAtOnce) {
+        const Vectors d = ways_to(photon, discs, i);
         const Vector radius = radii_for(discs, photon.kind, i);
         const Vector radius2 = hn::Mul(radius, radius);
         const Vector distance2 = dot(d, d);

@@ -13,8 +13,22 @@ namespace {
 
 constexpr std::size_t kBlock = 4096;
 
-/// Returns a box around the disc of that radius, which contains every photon that accepts() allows.
+/// Returns a box around a cylinder.
+Box box_around(const Disc& cylinder, float radius) {
+    Vec3 half;
+    for (int c = 0; c < 3; ++c) {
+        const float n = cylinder.normal[c];
+        const float across = std::sqrt(std::max(0.0F, 1 - n * n));
+        half[c] = cylinder.half_length * std::abs(n) + radius * across +
+                  (std::abs(cylinder.position[c]) + cylinder.half_length) * 1e-6F;
+    }
+    return {cylinder.position - half, cylinder.position + half};
+}
+
+/// Returns a box around the kernel of that radius, which contains every photon that accepts()
+/// allows.
 Box box_of(const Disc& disc, float radius) {
+    if (disc.is_in_medium()) return box_around(disc, radius);
     Vec3 half;
     for (int c = 0; c < 3; ++c) {
         const float n = disc.normal[c];

@@ -28,13 +28,11 @@ public:
 
     /// Returns false fast for most photons that no point accepts.
     bool may_accept(const Photon& photon) const {
-        return accepts_kind(photon.kind) &&
+        return accepts_kind(photon) &&
                around(photon.kind).occupancy.may_be_in_a_box(photon.position);
     }
     /// Returns whether any point accepts such photons.
-    bool accepts_kind(PhotonKind kind) const {
-        return (kinds_ & static_cast<std::uint8_t>(kind)) != 0;
-    }
+    bool accepts_kind(const Photon& photon) const { return (kinds_ & photon.kinds()) != 0; }
 
     /// Returns the grid of the Morton codes, for photons.
     const MortonGrid& grid() const { return grid_; }

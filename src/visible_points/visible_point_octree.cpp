@@ -8,11 +8,31 @@
 
 namespace sunfleck::engine {
 
+namespace {
+
+/// Returns how far from the centre, along any axis, visible points in media reach: a medium may
+/// have no end.
+double reach_in_media(std::span<const VisiblePoint> points, const Vec3d& centre) {
+    double reach = 0;
+    for (const VisiblePoint& point : points) {
+        const Disc& disc = point.disc;
+        if (!disc.is_in_medium()) continue;
+        const double half = double{disc.widest_radius()} + double{disc.half_length};
+        for (int c = 0; c < 3; ++c)
+            reach = std::max(reach, std::abs(double{disc.position[c]} - centre[c]) + half);
+    }
+    return reach;
+}
+
+}  // namespace
+
 /// The root is larger than the scene and shifted, so that walls are not on cell faces.
 VisiblePointOctree::VisiblePointOctree(std::span<const VisiblePoint> points, const Vec3d& centre,
                                        double radius) {
     constexpr std::size_t kLeastPart = 4096;
-    const double size = std::max(2.5 * radius, 1e-30);
+    double size = std::max(2.5 * radius, 1e-30);
+    const double reach = reach_in_media(points, centre);
+    while (size < 2.5 * reach) size *= 2;  // in steps, so that cells are alike in all passes
     low_ = centre - Vec3d(0.4871, 0.5143, 0.5029) * size;
     cells_per_unit_ = double{1U << kDeepest} / size;
     const std::size_t part = block_of_a_thread(points.size(), kLeastPart);
@@ -42,9 +62,10 @@ VisiblePointOctree::Cells VisiblePointOctree::cells_of(const Disc& disc) const {
     Cells cells{};
     double widest = 0;
     for (int c = 0; c < 3; ++c) {
-        // accepts() allows nothing beyond sqrt(1.5) radii.
-        const double half =
-            1.23 * double{disc.widest_radius()} + std::abs(double{disc.position[c]}) * 1e-6;
+        // accepts() allows nothing beyond sqrt(1.5) radii of a disc.
+        const double half = 1.23 * double{disc.widest_radius()} +
+                            double{disc.half_length} * std::abs(double{disc.normal[c]}) +
+                            std::abs(double{disc.position[c]}) * 1e-6;
         const double middle = (double{disc.position[c]} - low_[c]);
         const auto cell = [&](double x) {
             return static_cast<std::uint32_t>(std::clamp(x * cells_per_unit_, 0.0, kLast));

@@ -131,7 +131,7 @@ TEST_P(BsdfSamplingLaws, mean_weight_is_the_integral_of_eval) {
     for (const Vec3& wo : few_directions())
         for (const std::size_t wavelength : {std::size_t{0}, kWavelengths - 1}) {
             const double albedo = total(integrals(40, [&](const Vec3& w) {
-                return eval(bsdf(), wo, w, Transport::flux)[wavelength] * std::abs(w.z);
+                return eval(bsdf(), wo, w, Transport::flux)[wavelength] * cosine_of(bsdf(), w);
             }));
             EXPECT_LE(albedo, 1 + 1e-3);
             losses << ' ' << 1 - albedo;

@@ -21,8 +21,8 @@ Vec3 direction(RandomStream& stream) {
 
 constexpr int kMaxDepth = 10;
 
-/// Discs on wavy surfaces of very different scale, some far away, radii over four decades. Every
-/// other one reaches farther for indirect photons.
+/// Discs on wavy surfaces of very different scale, some far away, radii over four decades, and a
+/// quarter of them cylinders in media. Every other one reaches farther for indirect photons.
 std::vector<VisiblePoint> random_points(std::uint32_t count, std::uint32_t which) {
     RandomStream stream(3, Purpose::test, which, 0);
     std::vector<VisiblePoint> points(count);
@@ -36,6 +36,10 @@ std::vector<VisiblePoint> random_points(std::uint32_t count, std::uint32_t which
         p.disc.indirect_radius_scale = i % 2 == 0 ? 2.5F : 1;
         p.disc.kinds = 15;
         p.disc.both_sides = stream.next_float() < 0.3F;
+        if (i % 4 == 3) {
+            p.disc.kinds <<= kKindsInMedia;
+            p.disc.half_length = p.disc.radius * (0.2F + 5 * stream.next_float());
+        }
         p.pixel = i;
     }
     return points;
@@ -54,6 +58,9 @@ Photon random_photon(const std::vector<VisiblePoint>& points, RandomStream& stre
                                                : PhotonKind::direct;
     const float radius = near.radius_for(photon.kind);
     photon.position = near.position + direction(stream) * (radius * stream.next_float());
+    photon.in_medium = near.is_in_medium() != (stream.next_float() < 0.1F);
+    if (near.is_in_medium())
+        photon.position += near.normal * (near.half_length * (3 * stream.next_float() - 1.5F));
     photon.w = photon.normal;
     return photon;
 }
