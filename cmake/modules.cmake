@@ -54,11 +54,13 @@ sunfleck_module(material NEEDS module_bsdf module_texture)
 sunfleck_module(light NEEDS module_geometry module_image)
 sunfleck_module(aovs NEEDS module_math)
 sunfleck_module(visible_points ONE_BY_ONE NEEDS module_bsdf module_geometry module_aovs hwy::hwy)
-sunfleck_module(scene NEEDS module_material module_light module_camera)
+sunfleck_module(medium NEEDS module_bsdf module_geometry)
+sunfleck_module(scene NEEDS module_material module_light module_camera module_medium)
 sunfleck_module(sky NEEDS module_scene)
 sunfleck_module(import_ies FOLDER import/ies NEEDS module_light)
+sunfleck_module(import_nvdb FOLDER import/nvdb NEEDS module_medium)
 sunfleck_module(import_pbrt FOLDER import/pbrt ALONE materials texture_kinds world_directives
-  NEEDS module_sky module_import_ply module_import_ies)
+  NEEDS module_sky module_import_ply module_import_ies module_import_nvdb)
 sunfleck_module(import_gltf FOLDER import/gltf ALONE draco
   NEEDS module_import_ies module_scene nlohmann_json::nlohmann_json ${SUNFLECK_UNPACKERS})
 target_compile_definitions(module_import_gltf PRIVATE $<$<BOOL:${SUNFLECK_DRACO}>:SUNFLECK_DRACO>

@@ -27,6 +27,24 @@ void print_lights(const Scene& scene) {
     if (kinds.empty()) fmt::print("lights      none\n");
 }
 
+/// Mean free paths, of all wavelengths alike, where a medium is densest.
+void print_media(const Scene& scene) {
+    const std::vector<Medium>& media = scene.media().all;
+    for (std::size_t i = 1; i < media.size(); ++i) {
+        const float density = media[i].density ? greatest(*media[i].density) : 1;
+        const auto path = [&](const Spectrum& coefficient) {
+            const float of_length = coefficient.luminance() * density;
+            return of_length > 0 ? fmt::format("{:.3g}", 1 / of_length) : std::string("infinity");
+        };
+        const std::string varies =
+            media[i].density ? fmt::format(" where it is densest; its mean is {:.3g} of that",
+                                           mean(*media[i].density) / density)
+                             : "";
+        fmt::print("medium      {}: mean free path {} to scattering, {} to absorption{}\n", i,
+                   path(media[i].scattering), path(media[i].absorption), varies);
+    }
+}
+
 /// What the file says of lights, one by one: the numbers that --light-group takes.
 void list_lights(const Scene& scene) {
     const std::vector<LightStatement>& statements = scene.light_statements();
@@ -95,6 +113,7 @@ int run_info(const InfoOptions& options) {
     std::map<std::string, int> materials;
     for (const Material& material : scene.materials()) ++materials[std::string(name_of(material))];
     for (const auto& [name, count] : materials) fmt::print("materials   {} {}\n", count, name);
+    print_media(scene);
     print_lights(scene);
     if (options.lights) list_lights(scene);
     const SceneSphere& sphere = scene.sphere();

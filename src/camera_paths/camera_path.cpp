@@ -8,16 +8,6 @@
 namespace sunfleck::engine {
 namespace {
 
-constexpr std::uint8_t kCausticOnly = static_cast<std::uint8_t>(PhotonKind::caustic) |
-                                      static_cast<std::uint8_t>(PhotonKind::long_specular_chain);
-constexpr std::uint8_t kScattered = kCausticOnly | static_cast<std::uint8_t>(PhotonKind::indirect);
-constexpr std::uint8_t kEverything = kScattered | static_cast<std::uint8_t>(PhotonKind::direct);
-
-/// Returns the lower bound of the gather radius: some spacings of the float positions.
-float smallest_radius(const Vec3& p) {
-    return std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z), 1e-30F}) * 0x1p-20F;
-}
-
 /// Russian roulette begins after this many events, because short paths contribute most.
 constexpr int kRouletteFrom = 4;
 
@@ -45,14 +35,17 @@ void CameraPath::follow(std::optional<Hit> hit, BatchPoints& numbers) {
     const Scene& scene = pass_.scene.scene;
     while (true) {
         ++statistics_[Count::camera_rays];
-        if (scene.has_media())
-            throughput_ *= pass_.scene.transmittance(medium_, hit ? hit->distance : kInfinity);
+        if (scene.has_media()) {
+            const Crossing crossing = cross_medium(hit, numbers);
+            if (crossing == Crossing::ended) return;
+            if (crossing == Crossing::scattered) continue;
+        }
         if (!hit) {
             add_emission(
                 environment_along(pass_.scene, position_, direction_, wanted_contributions()));
             return;
         }
-        grow_footprint(*hit);
+        grow_footprint(hit->distance);
         const bool weighted = emitters_ == Emitters::weighted;
         add_emission(emitter_at(pass_.scene, *hit, weighted ? &glossy_ : nullptr, direction_,
                                 wanted_contributions()));
@@ -67,7 +60,9 @@ void CameraPath::follow(std::optional<Hit> hit, BatchPoints& numbers) {
 
 Ray CameraPath::ray_beyond(const Hit& hit) {
     medium_ = pass_.scene.scene.medium_beyond(hit, direction_, medium_);
-    return ray_from(hit, direction_);
+    const Ray ray = ray_from(hit, direction_);
+    from_ = ray.origin;
+    return ray;
 }
 
 CameraRay CameraPath::start(BatchPoints& numbers) {
@@ -81,7 +76,7 @@ CameraRay CameraPath::start(BatchPoints& numbers) {
     direction_ = Vec3(ray.direction);
     footprint_ = ray.footprint;
     footprint_angle_ = ray.footprint_angle;
-    position_ = Vec3(ray.origin);
+    position_ = from_ = Vec3(ray.origin);
     return ray;
 }
 
@@ -118,7 +113,7 @@ bool CameraPath::interact(Hit& hit, BatchPoints& numbers) {
 /// Ends the path at a diffuse lobe.
 void CameraPath::gather_at_base(const CameraVertex& vertex, BatchPoints& numbers) {
     const bool sampled = pass_.transport.direct == DirectLight::sampled;
-    gather(vertex.hit, vertex.bsdf, sampled ? kScattered : kEverything);
+    gather(vertex.hit, vertex.bsdf, sampled ? kScatteredKinds : kAllKinds);
     const bool goes_beyond = pass_.transport.goes_beyond_diffuse();
     if (sampled) add_direct_light(vertex, numbers, !goes_beyond);
     add_features(vertex.hit, diffuse_albedo(vertex.bsdf, vertex.wo));
@@ -129,7 +124,7 @@ void CameraPath::gather_at_base(const CameraVertex& vertex, BatchPoints& numbers
 bool CameraPath::go_on(const CameraVertex& vertex, BatchPoints& numbers) {
     const bool sampled = pass_.transport.direct == DirectLight::sampled;
     if (scattering(vertex.bsdf) == Scattering::glossy) {
-        gather(vertex.hit, vertex.bsdf, sampled ? kCausticOnly : kEverything);
+        gather(vertex.hit, vertex.bsdf, sampled ? kCausticKinds : kAllKinds);
         if (!sampled) return false;
         add_direct_light(vertex, numbers, false);
     }
@@ -144,34 +139,6 @@ void CameraPath::add_emission(const EmitterHit& met) {
     const float weight = emitters_ == Emitters::all ? 1 : mis_weight(bsdf_pdf_, met.pdf);
     constexpr std::array<Aov, 3> kOwners = {Aov::emission, Aov::direct, Aov::indirect};
     add_light(met.radiance, weight, kOwners.at(std::min<std::size_t>(rough_, 2)));
-}
-
-void CameraPath::gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds) {
-    VisiblePoint point;
-    const bool behind = hit.normal.dot(direction_) > 0;
-    point.disc.position = hit.position;
-    point.disc.radius = radius_at(hit);
-    point.disc.normal = behind ? -hit.normal : hit.normal;
-    point.disc.bounces = bounces_;
-    point.disc.kinds = kinds;
-    point.disc.both_sides = gathers(bsdf, 1, -1);
-    // Behind a rough surface the camera path causes the noise, and the disc is wider already.
-    if (rough_ == 0) point.disc.indirect_radius_scale = pass_.indirect_radius_scale;
-    point.shading_normal = hit.shading_normal;
-    point.tangent = hit.tangent;
-    point.wo = -direction_;
-    point.throughput = throughput_ * weight_;
-    point.pixel = pixel_;
-    if (const auto* lambert = std::get_if<Lambert>(&bsdf)) {
-        point.throughput *= lambert->albedo / kPi;
-        point.bsdf = kLambertian;
-    } else {
-        point.bsdf = pass_.scene.keep(hit, bsdf);
-    }
-    point.hero = static_cast<std::uint8_t>(hero_.chosen);
-    point.single_wavelength = hero_.single;
-    point.after_rough = rough_ > 0;
-    points_.push_back(point);
 }
 
 void CameraPath::add_light(const SampledSpectrum& radiance, float weight, Aov owner) {
@@ -261,25 +228,6 @@ bool CameraPath::take(const CameraVertex& vertex, const BsdfSampleInput& draw, f
 
 float CameraPath::importance() const {
     return throughput_.sum() * eta_scale_ / static_cast<float>(kWavelengths);
-}
-
-/// Footprint = pixel angle times path length; a refraction scales the angle by the ratio of
-/// indices. Curvature and grazing angles are ignored, because the radius shrinks anyway.
-void CameraPath::grow_footprint(const Hit& hit) {
-    footprint_ += footprint_angle_ * hit.distance;
-    spread_ += spread_angle_ * hit.distance;
-    length_ += hit.distance;
-}
-
-float CameraPath::radius_at(const Hit& hit) const {
-    const CameraPathSettings& settings = pass_.settings;
-    const auto factor = static_cast<float>(pass_.radius_factor);
-    const float floor = smallest_radius(hit.position);
-    if (settings.radius) return std::max(floor, static_cast<float>(*settings.radius) * factor);
-    // A footprint that varies between passes would give 1 / (pi r^2) a heavy tail.
-    const float width =
-        std::clamp(footprint_, 0.25F * first_footprint_, 4 * first_footprint_) + spread_;
-    return std::max(floor, pass_.first_radius * width * factor);
 }
 
 /// Adds the features of the first surface; for a coated one, of the base.

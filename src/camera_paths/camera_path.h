@@ -1,13 +1,15 @@
 // CameraPath: traces one camera path through specular surfaces to visible points, with emission and
-// direct light on the way. At smooth glass the path splits into reflection and refraction, as long
-// as neither branch has a small weight, so that the choice between them causes no noise. (A lobe of
-// 4% that leads to a lamp would cause most of a pixel's noise.)
+// direct light on the way, and the light of media along each ray. At smooth glass the path splits
+// into reflection and refraction, as long as neither branch has a small weight, so that the choice
+// between them causes no noise. (A lobe of 4% that leads to a lamp would cause most of a pixel's
+// noise.)
 #pragma once
 
 #include "aovs/pass_image.h"
 #include "camera/filter.h"
 #include "camera_paths/camera_pass.h"
 #include "camera_paths/next_event_estimation.h"
+#include "medium/free_way.h"
 #include "random_numbers/batch_points.h"
 #include "visible_points/visible_point.h"
 
@@ -38,6 +40,22 @@ private:
     void follow(std::optional<Hit> hit, BatchPoints& numbers);
     /// Returns the next ray from a hit, in the new direction.
     Ray ray_beyond(const Hit& hit);
+    /// What a medium does to a path on its way to a hit.
+    enum class Crossing { passed, scattered, ended };
+    Crossing cross_medium(std::optional<Hit>& hit, BatchPoints& numbers);
+    Crossing fly_beyond(const SampledMedium& medium, std::optional<Hit>& hit, BatchPoints& numbers);
+    void look_into(const SampledMedium& medium, const Ray& way, BatchPoints numbers);
+    void grow_into(float distance);
+    float radius_after(const Ray& way, float distance) const;
+    /// A part of a way, by distances.
+    struct Piece {
+        float begin;
+        float end;
+        float radius;    // at the least
+        float widening;  // of that, for indirect light
+    };
+    void gather_in(const FreeWay& path, const Ray& way, const Piece& piece, float chance);
+    void scatter_in_medium(const SampledMedium& medium, const Vec3& position, BatchPoints& numbers);
     bool interact(Hit& hit, BatchPoints& numbers);
     void go_beyond(const CameraVertex& vertex, BatchPoints numbers);
     bool interact_beyond(const CameraVertex& vertex, const Bsdf& at_surface, BatchPoints& numbers);
@@ -51,6 +69,7 @@ private:
     }
     void add_features(const Hit& hit, const SampledSpectrum& reflectance);
     void gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds);
+    VisiblePoint new_point() const;
     void add_direct_light(const CameraVertex& vertex, BatchPoints& numbers, bool follow);
     bool scatter(const CameraVertex& vertex, BatchPoints& numbers);
     /// Continues by one bsdf sample as a branch with weight `share`. @return whether it does.
@@ -58,8 +77,8 @@ private:
               double roulette);
     /// Returns an estimate of the weight of further light in the pixel; 1 at the camera.
     float importance() const;
-    void grow_footprint(const Hit& hit);
-    float radius_at(const Hit& hit) const;
+    void grow_footprint(float distance);
+    float radius_at(const Vec3& position) const;
 
     const CameraPass& pass_;
     const FilterSampler& filter_;
@@ -75,6 +94,7 @@ private:
     SampledSpectrum throughput_;
     HeroWavelength hero_;
     Vec3 position_{0};  // of the last vertex
+    Vec3 from_{0};      // origin of the next ray
     Vec3 direction_{0};
     MediumNumber medium_ = 0;    // of the next ray
     float length_ = 0;           // of the path so far

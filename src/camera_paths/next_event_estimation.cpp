@@ -43,7 +43,8 @@ RisCandidate candidate(const PassScene& pass, const CameraVertex& vertex,
     const Vec3 wi = vertex.frame.to_local(light->direction);
     const SampledSpectrum f = eval(vertex.bsdf, vertex.wo, wi, Transport::radiance);
     if (f.is_zero()) return {};
-    float weight = light->factor * std::abs(wi.z) / (many * static_cast<float>(choice.probability));
+    float weight = light->factor * cosine_of(vertex.bsdf, wi) /
+                   (many * static_cast<float>(choice.probability));
     if (light->pdf)
         weight *= mis_weight(many * density(pass, vertex.hit.position, choice, *light),
                              pdf(vertex.bsdf, vertex.wo, wi, Transport::radiance));
@@ -169,7 +170,8 @@ SampledSpectrum follow_bsdf_sample(const PassScene& pass, const CameraVertex& ve
         ++statistics[Count::camera_rays];
         const auto hit = scene.geometry().intersect(ray);
         if (scene.has_media())
-            weight *= pass.transmittance(medium, hit ? hit->distance : kInfinity);
+            weight *= pass.transmittance(medium,
+                                         {ray.origin, direction, hit ? hit->distance : kInfinity});
         if (!hit) {
             add(environment_along(pass, vertex.hit.position, direction, contributions));
             return sum;

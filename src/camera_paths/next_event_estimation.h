@@ -17,7 +17,7 @@
 
 namespace sunfleck::engine {
 
-/// A vertex of a camera path at a surface that is not specular.
+/// A vertex of a camera path at a surface that is not specular, or in a medium.
 struct CameraVertex {
     Hit hit;
     Frame frame;              // shading frame

@@ -38,9 +38,21 @@ inline float correction(const VisiblePoint& point, const Photon& photon) {
     return std::abs(cosine) / std::abs(photon.normal.dot(photon.w));
 }
 
+/// Returns what a medium leaves of light from a photon, on its way back through the cylinder of a
+/// point.
+inline SampledSpectrum left_in_cylinder(const PassScene& pass, const VisiblePoint& point,
+                                        const Photon& photon) {
+    const Vec3& along = point.disc.normal;
+    const Vec3 begin = point.disc.position - along * point.disc.half_length;
+    return pass.transmittance(point.medium, {begin, along, along.dot(photon.position - begin)});
+}
+
 /// Returns the factor that differs between photons: flux times the point's bsdf.
 inline SampledSpectrum light_of(const PassScene& pass, const VisiblePoint& point,
                                 const Photon& photon) {
+    if (photon.in_medium)
+        return photon.flux * gather_lobe(pass, point, photon.w) *
+               left_in_cylinder(pass, point, photon);
     const SampledSpectrum light = photon.flux * correction(point, photon);
     return point.bsdf == kLambertian ? light : light * gather_lobe(pass, point, photon.w);
 }

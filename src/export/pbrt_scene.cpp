@@ -66,14 +66,33 @@ public:
 private:
     std::string folder() const { return std::filesystem::path(name_).stem().string() + "-files"; }
 
-    std::string media_text() const {
+    /// Returns a medium as it is written: alike everywhere.
+    Medium written(std::size_t number) {
+        Medium medium = scene_.media.all[number];
+        if (!medium.density) return medium;
+        result_.warnings.add({scene_.path},
+                             medium_name(static_cast<MediumNumber>(number)) +
+                                 " varies in space, which is not written: it has the mean of its "
+                                 "density everywhere");
+        const float density = mean(*medium.density);
+        medium.absorption = medium.absorption.scaled(density);
+        medium.scattering = medium.scattering.scaled(density);
+        return medium;
+    }
+
+    std::string media_text() {
         std::string text;
-        const auto& media = scene_.media.absorption;
-        for (std::size_t i = 1; i < media.size(); ++i) {
+        for (std::size_t i = 1; i < scene_.media.all.size(); ++i) {
+            const Medium medium = written(i);
             StatementText statement("MakeNamedMedium", medium_name(static_cast<MediumNumber>(i)));
             statement.add_word("string", "type", "homogeneous");
-            add_spectrum(statement, "sigma_a", media[i], ColourUse::unbounded);
-            statement.add("rgb", "sigma_s", Vec3(0));
+            add_spectrum(statement, "sigma_a", medium.absorption, ColourUse::unbounded);
+            if (scatters(medium)) {
+                add_spectrum(statement, "sigma_s", medium.scattering, ColourUse::unbounded);
+                statement.add("g", medium.g);
+            } else {
+                statement.add("rgb", "sigma_s", Vec3(0));
+            }
             text += statement.text();
         }
         return text;

@@ -152,7 +152,7 @@ std::string filter_text(const FilterSettings& filter) {
 /// pbrt-v4's photon mapping starts with a radius of one unit, whatever the scene's size.
 std::string integrator_text(const SceneDescription& scene) {
     const bool is_said = !scene.hints.integrator.empty();
-    const std::string usual = scene.media.absorb() ? "volpath" : "sppm";
+    const std::string usual = scene.media.act() ? "volpath" : "sppm";
     const std::string word = is_said ? scene.hints.integrator : usual;
     StatementText integrator("Integrator", word);
     integrator.add("maxdepth", scene.hints.max_depth.value_or(kMaxDepth));

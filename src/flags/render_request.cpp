@@ -4,6 +4,8 @@
 #include "scene/adjust.h"
 #include "scene/scene.h"
 
+#include <algorithm>
+
 namespace sunfleck::engine {
 
 void adjust_view(Camera& camera, FilmDescription& film, const RenderRequest& request) {
@@ -18,8 +20,23 @@ void adjust_scene(SceneDescription& scene, const RenderRequest& request) {
     if (request.settings.energy_compensation) compensate_energy(scene.materials);
 }
 
+namespace {
+
+/// @throws Error  for an integrator that knows no light from media that scatter.
+void check_media(const Scene& scene, Integrator integrator) {
+    if (integrator == Integrator::sppm || integrator == Integrator::path) return;
+    const std::vector<Medium>& media = scene.media().all;
+    if (std::any_of(media.begin(), media.end(), scatters))
+        throw Error({"--integrator"},
+                    std::string(name_of(integrator)) + " does not simulate media that scatter",
+                    "use sppm or path");
+}
+
+}  // namespace
+
 RenderSettings settings_for(const Scene& scene, const RenderRequest& request) {
     RenderSettings settings = request.settings;
+    check_media(scene, settings.integrator);
     int& max_depth = settings.transport.max_depth;
     max_depth = request.max_depth.value_or(scene.hints().max_depth.value_or(max_depth));
     settings.transport.light_groups = light_groups_of(scene, request.light_groups);

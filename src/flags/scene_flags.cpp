@@ -33,6 +33,24 @@ Value choice_of(const std::string& text, const std::string& flag,
     throw Error({flag}, "does not take \"" + text + "\"", "use " + all);
 }
 
+/// Reads "MEAN_FREE_PATH[,ALBEDO,G]".
+Fog read_fog(const std::string& text, const std::string& flag) {
+    std::vector<std::string> parts(1);
+    for (const char c : text)
+        if (c == ',')
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    if (parts.size() != 1 && parts.size() != 3)
+        throw Error({flag}, "\"" + text + "\" is no MEAN_FREE_PATH[,ALBEDO,G]",
+                    "write for instance 20 or 20,0.9,0.7");
+    Fog fog{.mean_free_path = read_number(parts[0], flag, 1e-6, 1e12)};
+    if (parts.size() == 1) return fog;
+    fog.albedo = read_number(parts[1], flag, 0, 1);
+    fog.g = read_number(parts[2], flag, -0.99, 0.99);
+    return fog;
+}
+
 std::vector<SceneFlag> light_rows() {
     return {
         {.name = "--sun",
@@ -95,6 +113,15 @@ std::vector<SceneFlag> light_rows() {
                                  "write for instance 1=lamp.ies");
                  r.luminaires.push_back({text.substr(0, equals), text.substr(equals + 1)});
              }},
+        {.name = "--fog",
+         .form = "MEAN_FREE_PATH[,ALBEDO,G]",
+         .help =
+             "Fill the air with fog: the mean way of light between two events in it, in units of "
+             "the scene; the part of them that scatters (default 1), and the mean cosine of the "
+             "angle by which they bend (default 0)",
+         .formats = kAny,
+         .read = [](SceneRequest& r, const std::string& text,
+                    const std::string& flag) { r.fog = read_fog(text, flag); }},
         {.name = "--north",
          .form = "DEGREES",
          .help = "Where north is for sun and environment, clockwise from +y, or from -z where y is "

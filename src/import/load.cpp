@@ -57,6 +57,7 @@ SceneDescription load_scene(const std::string& path, const SceneRequest& request
     const UpAxis up = up_of(format, path, request.import);
     set_luminaires(scene, request.luminaires, up);
     add_asked_lights(scene, request, format, up);
+    if (request.fog) fill_with_fog(scene, *request.fog);
     return scene;
 }
 

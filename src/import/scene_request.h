@@ -1,6 +1,7 @@
 // SceneRequest: what a user says about a scene besides its file.
 #pragma once
 
+#include "import/fog.h"
 #include "scene/import_settings.h"
 #include "sky/daylight.h"
 #include "sky/environment.h"
@@ -37,6 +38,7 @@ struct SceneRequest {
     bool has_daylight = false;  // asked for
     std::optional<EnvironmentPicture> environment;
     std::vector<AskedLuminaire> luminaires{};
+    std::optional<Fog> fog;
     double north = 0;  // degrees clockwise from y, or from -z where y is up
     std::vector<GivenFlag> given;
 };

@@ -50,7 +50,7 @@ private:
         std::optional<Reader> read;  // empty: no path here
         PhotonState state;
         RayHit ahead;
-        bool is_hit = false;  // the ray hit something: `hit`
+        bool is_hit = false;  // the ray hit something, or may: `hit`
         Hit hit;
         const Lambert* surface = nullptr;  // surface whose event is computed together with others
         ScatteringEvent event;
@@ -111,7 +111,7 @@ private:
             }
             if (i < kLate) continue;
             Walk& late = walks_[i - kLate];
-            if (late.read) late.is_hit = tracer_.complete(late.ahead, late.hit);
+            if (late.read) late.is_hit = tracer_.complete(late.ahead, late.state, late.hit);
         }
         return rays;
     }

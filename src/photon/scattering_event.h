@@ -29,6 +29,9 @@ struct PhotonState {
     std::uint8_t light_group = kNoLightGroup;
     bool at_light = true;     // it has not left the light yet
     MediumNumber medium = 0;  // of the next ray
+    /// Number of scattering events and of flights through media that scatter: each has dimensions
+    /// of its own.
+    std::uint32_t dimensions = 0;
     /// Flux over the flux that Russian roulette keeps constant: 1 unless a medium absorbed some of
     /// it, or the shading-normal correction increased it.
     float throughput = 1;
@@ -95,6 +98,10 @@ Vec3 numbers_for(const Lambert&, const Unit& unit) {
     return {0, unit(BounceDimension::direction_u), unit(BounceDimension::direction_v)};
 }
 template <class Unit>
+Vec3 numbers_for(const HenyeyGreenstein&, const Unit& unit) {
+    return {0, unit(BounceDimension::direction_u), unit(BounceDimension::direction_v)};
+}
+template <class Unit>
 Vec3 numbers_for(const Bsdf& bsdf, const Unit& unit) {
     if (scattering(bsdf) == Scattering::specular) return {unit(BounceDimension::lobe), 0, 0};
     return {unit(BounceDimension::lobe), unit(BounceDimension::direction_u),
@@ -119,7 +126,7 @@ template <PrimarySampleReader Reader, class Surface>
                                                                 const Hit& hit,
                                                                 const PhotonState& state) {
     const auto unit = [&](BounceDimension which) {
-        return to_unit_float(read(dimension(state.bounces, which)));
+        return to_unit_float(read(dimension(state.dimensions, which)));
     };
     const BsdfSampleInput draw{scattering_detail::numbers_for(bsdf, unit), Transport::flux,
                                state.hero};
@@ -151,6 +158,7 @@ inline bool apply_event(const ScatteringEvent& event, PhotonState& state) {
     state.throughput = std::max(1.0F, event.throughput);
     state.direction = event.direction;
     ++state.bounces;
+    ++state.dimensions;
     return true;
 }
 

@@ -1,5 +1,5 @@
 // PhotonTracer: a photon path as a function of its primary sample, from a light through surface
-// after surface.
+// after surface, and where media scatter it.
 //
 // In:  a primary-sample reader (the point u), the scene at the wavelengths of a pass. Out: each
 // photon at a surface that can gather is passed to a visitor, which may end the path.
@@ -10,6 +10,8 @@
 
 #include "aovs/statistics.h"
 #include "aovs/transport.h"
+#include "photon/path_end.h"
+#include "photon/photon_flight.h"
 #include "photon/scattering_event.h"
 #include "scene/pass_scene.h"
 
@@ -21,19 +23,6 @@ namespace sunfleck::engine {
 /// Called with each photon.
 template <class V>
 concept PhotonVisitor = std::invocable<V&, const Photon&>;
-
-enum class PathEnd {
-    no_light,  // no emission at that sample
-    escaped,   // left the scene
-    absorbed,  // by a surface, a medium, or Russian roulette
-    too_long   // the next event would exceed the maximum depth
-};
-
-/// Counts how a path ended.
-inline void count_end(PathEnd end, Statistics& counts) {
-    counts[Count::escaped] += end == PathEnd::escaped ? 1 : 0;
-    counts[Count::too_long] += end == PathEnd::too_long ? 1 : 0;
-}
 
 class PhotonTracer {
 public:
@@ -53,7 +42,7 @@ public:
         for (;;) {
             ++rays;
             Hit hit;
-            if (!complete(send(state), hit)) return PathEnd::escaped;
+            if (!complete(send(state), state, hit)) return PathEnd::escaped;
             if (const auto end = go_on(read, visit, hit, state)) return *end;
         }
     }
@@ -81,19 +70,27 @@ public:
         return geometry.trace({Vec3(state.origin), state.direction}, AlphaTest::off);
     }
 
-    /// Computes the hit. @return whether there is one.
-    bool complete(const RayHit& ray_hit, Hit& hit) const {
-        return pass_.scene.geometry().complete(ray_hit, hit);
+    /// Computes the hit. @return whether there is one. Where there is none, but a medium that may
+    /// scatter the photon, it is infinitely far, and of no shape.
+    bool complete(const RayHit& ray_hit, const PhotonState& state, Hit& hit) const {
+        if (pass_.scene.geometry().complete(ray_hit, hit)) return true;
+        if (!has_media_ || !pass_.media[state.medium].scatters) return false;
+        hit.distance = kInfinity;
+        hit.shape = kNone;
+        return true;
     }
 
     /// Handles a hit up to the next ray. @return how the path ends, if it does.
     template <PrimarySampleReader Reader, PhotonVisitor Visitor>
     std::optional<PathEnd> go_on(Reader& read, Visitor&& visit, const Hit& hit,
                                  PhotonState& state) const {
+        if (has_media_) {
+            const Crossing crossing = cross_medium(read, visit, hit, state);
+            if (!crossing.reaches_hit) return crossing.end;
+        }
         if (pass_.scene.has_cover(hit) && !is_there(hit, state))
             return go_through_absent_surface(visit, hit, state);
         if (state.unlit > 0 && is_stopped(hit, state)) return PathEnd::absorbed;
-        if (has_media_ && !attenuate(hit, state)) return PathEnd::absorbed;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         if (constant) return interact(read, visit, *constant, hit, state);
         if (!pass_.scene.is_null_interface(hit)) return interact_varied(read, visit, hit, state);
@@ -145,22 +142,44 @@ private:
                                                                        PhotonState& state) const {
         const bool is_lit = !(hit.distance < state.unlit);
         state.unlit = std::max(0.0F, state.unlit - hit.distance);
-        if (has_media_ && !attenuate(hit, state)) return PathEnd::absorbed;
         if (is_lit && pass_.may_gather(pass_.scene.material_of(hit))) visit(photon_at(hit, state));
         state.at_light = false;
         state.origin = Vec3d(ray_from(hit, state.direction).origin);
         return {};
     }
 
-    /// Attenuates the photon on the way to the hit. @return whether anything is left.
-    [[gnu::noinline]] bool attenuate(const Hit& hit, PhotonState& state) const {
-        const SampledSpectrum left = pass_.transmittance(state.medium, hit.distance);
-        const float before = state.flux.sum();
-        state.flux *= left;
-        const float kept = share_kept(before, state.flux, left);
-        if (!(kept > 0)) return false;
-        state.throughput *= kept;
-        return true;
+    /// What a medium did to a photon on its way to a hit.
+    struct Crossing {
+        bool reaches_hit = false;
+        std::optional<PathEnd> end;  // if not; none if it has been scattered and goes on
+    };
+
+    template <PrimarySampleReader Reader, PhotonVisitor Visitor>
+    [[gnu::noinline]] Crossing cross_medium(Reader& read, Visitor& visit, const Hit& hit,
+                                            PhotonState& state) const {
+        const SampledMedium& medium = pass_.media[state.medium];
+        const Ray way{Vec3(state.origin), state.direction, hit.distance};
+        if (!medium.scatters) return {keep(transmittance(medium, way), state), PathEnd::absorbed};
+        const Flight flight = sample_flight(read, medium, way, state);
+        if (!keep(flight.weight, state)) return {false, PathEnd::absorbed};
+        if (flight.is_scattered)
+            return {false, scatter_in_medium(read, visit, medium, flight.distance, state)};
+        return {hit.shape != kNone, PathEnd::escaped};
+    }
+
+    /// Visits a photon where a medium scatters it, and scatters it.
+    template <PrimarySampleReader Reader, PhotonVisitor Visitor>
+    std::optional<PathEnd> scatter_in_medium(Reader& read, Visitor& visit,
+                                             const SampledMedium& medium, float distance,
+                                             PhotonState& state) const {
+        if (distance < state.unlit || is_left_to_camera(state)) return PathEnd::absorbed;
+        move_on(distance, state);
+        const Photon photon = photon_in_medium(state);
+        visit(photon);
+        if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
+        if (!scatter_at(read, medium.phase, point_in_medium(photon.position), state))
+            return PathEnd::absorbed;
+        return {};
     }
 
     [[gnu::noinline]] void enter_beyond(const Hit& hit, PhotonState& state) const {
@@ -247,12 +266,6 @@ private:
         if (has_media_) state.medium = pass_.start_medium(choice.index, start, state.flux);
         state.direction = Vec3(start.direction);
         return start;
-    }
-
-    static Photon photon_at(const Hit& hit, const PhotonState& state) {
-        const Vec3 normal = hit.normal.dot(state.direction) > 0 ? -hit.normal : hit.normal;
-        return {hit.position,      normal, -state.direction, state.bounces, state.kind,
-                state.light_group, 1,      state.flux};
     }
 
     /// Applies one scattering event. @return false if the photon is absorbed.

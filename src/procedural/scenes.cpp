@@ -69,6 +69,7 @@ std::vector<Entry> entries() {
         {{"cornell-door", "a Cornell box lit through a door ajar"}, cornell_door_scene},
         {{"two-windows", "a hall that the sun enters through two windows far apart"},
          two_windows_scene},
+        {{"light-shafts", "the same hall, its windows open and full of mist"}, two_windows_scene},
         {{"box", "mirrored and glass balls lit by two lamps behind lenses"}, box_scene},
         {{"watch", "a pocket watch, its dial lit through glass and by its lid"}, watch_scene},
         {{"room", "a furnished room in the sun behind its windows"}, room_scene},

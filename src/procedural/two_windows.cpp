@@ -1,4 +1,5 @@
-// A hall of stone with two arched windows in its right wall, each with a pane of glass.
+// A hall of stone with two arched windows in its right wall: each with a pane of glass, or open and
+// the hall full of mist.
 
 #include "procedural/two_windows.h"
 
@@ -50,6 +51,29 @@ Polygon window(double middle, double margin) {
                   24);
 }
 
+/// Thin mist, whose border ends within the walls.
+constexpr std::string_view kMist = R"(
+MakeNamedMedium "mist" "string type" "homogeneous"
+    "spectrum sigma_s" [ 300 0.1 900 0.1 ] "spectrum sigma_a" [ 300 0.003 900 0.003 ] "float g" 0.6
+AttributeBegin
+MediumInterface "mist" ""
+)";
+/// Towards the windows, for mist scatters forward.
+constexpr std::string_view kEyeInMist = R"(MediumInterface "" "mist"
+LookAt -3.5 0.6 1.5  3.2 6 2  0 0 1
+Camera "perspective" "float fov" 62
+)";
+constexpr std::string_view kNoMist = R"(MediumInterface "" ""
+MakeNamedMaterial "nothing" "string type" "interface"
+)";
+
+void add_mist(SceneFolder& folder) {
+    folder.text(kMist);
+    folder.add("border of the mist", "nothing",
+               box_mesh({-4.05F, -0.05F, -0.05F}, {4.2F, 9.05F, 4.85F}));
+    folder.text("AttributeEnd\n");
+}
+
 void add_walls(SceneFolder& folder) {
     folder.add("floor", "tiles", box_mesh({-4.5F, -0.5F, -0.3F}, {4.5F, 9.5F, 0}));
     folder.add("ceiling", "stone", box_mesh({-4.52F, -0.52F, 4.8F}, {4.52F, 9.52F, 5.2F}));
@@ -60,9 +84,15 @@ void add_walls(SceneFolder& folder) {
     folder.add("right-wall", "stone",
                placed(extrude(wall, {window(kWindows[0], 0), window(kWindows[1], 0)}, 4, 4.4),
                       in_the_wall()));
+}
+
+void add_panes(SceneFolder& folder) {
     for (const double middle : kWindows)
         folder.add(middle < 5 ? "near-pane" : "far-pane", "pane",
                    placed(extrude(window(middle, 0.02), {}, 4.197, 4.203), in_the_wall()));
+}
+
+void add_beams(SceneFolder& folder) {
     Mesh beams;
     for (int i = 0; i < 5; ++i) {
         const float y = 0.75F + 1.85F * static_cast<float>(i);
@@ -118,11 +148,17 @@ void add_furniture(SceneFolder& folder) {
 }  // namespace
 
 std::vector<SceneFile> two_windows_scene(const ProceduralScene& scene) {
-    SceneFolder folder(scene, kHead);
+    const bool is_misty = scene.name == "light-shafts";
+    SceneHead head = kHead;
+    if (is_misty) head.camera = kEyeInMist;
+    SceneFolder folder(scene, head);
+    if (is_misty) folder.text(kNoMist);
     folder.text(kMaterials);
     folder.add("ground", "ground",
                placed(square_mesh(static_cast<float>(kGroundHalfWidth), -0.13F), at({0, 4.5, 0})));
     add_walls(folder);
+    is_misty ? add_mist(folder) : add_panes(folder);
+    add_beams(folder);
     add_furniture(folder);
     return std::move(folder).files();
 }

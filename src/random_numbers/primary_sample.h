@@ -27,7 +27,8 @@ constexpr std::uint32_t dimension(EmissionDimension which) {
     return static_cast<std::uint32_t>(which);
 }
 
-/// @param bounce  0 at the first surface that scatters the photon.
+/// @param bounce  0 at the first surface that scatters the photon; a flight through a medium that
+/// may scatter it counts as a bounce, too.
 constexpr std::uint32_t dimension(std::uint32_t bounce, BounceDimension which) {
     return dimension(EmissionDimension::count) +
            bounce * static_cast<std::uint32_t>(BounceDimension::count) +

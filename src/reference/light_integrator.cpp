@@ -40,13 +40,15 @@ private:
         const Vec3d origin =
             start.origin + normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
         Hit hit;
+        Vec3 from(origin);
         RayHit met = scene_.geometry().trace_precise(origin, start.direction);
         for (int depth = 0; depth < pass_.transport.max_depth;) {
             ++rays_;
             if (!scene_.geometry().complete(met, hit)) return;
             const bool is_lit = !(hit.distance < unlit);
             unlit -= hit.distance;
-            if (scene_.has_media()) flux_ *= pass_.scene.transmittance(medium_, hit.distance);
+            if (scene_.has_media())
+                flux_ *= pass_.scene.transmittance(medium_, {from, direction_, hit.distance});
             if (!scene_.is_null_interface(hit)) {
                 if (!is_lit) return;
                 if (!scatter(hit, depth)) return;
@@ -54,6 +56,7 @@ private:
             }
             medium_ = scene_.medium_beyond(hit, direction_, medium_);
             const Ray ray = ray_from(hit, direction_);
+            from = ray.origin;
             met = scene_.geometry().trace(ray);
         }
     }

@@ -1,4 +1,5 @@
-// One path per pixel: emission, next event estimation and bsdf sampling at every vertex.
+// One path per pixel: emission, next event estimation and bsdf sampling at every vertex, on
+// surfaces and in media.
 #include "reference/path_integrator.h"
 
 #include "camera/filter.h"
@@ -27,7 +28,7 @@ public:
         std::optional<Hit> met = scene_.first_hit(view);
         hero_.chosen = hero_of(numbers_.next());
         for (int depth = 0;; ++depth) {
-            auto hit = next_surface(ray, std::move(met));
+            auto hit = next_vertex(ray, std::move(met));
             if (!hit || depth >= pass_.transport.max_depth) return sum_;
             const auto drawn = scatter(*hit, ray);
             if (!drawn) return sum_;
@@ -44,13 +45,14 @@ public:
 private:
     double number() { return numbers_.next(); }
 
-    /// Follows the ray through null interfaces, and adds the emitters on the way.
-    /// @param hit  first hit of the ray, if any.
-    std::optional<Hit> next_surface(Ray& ray, std::optional<Hit> hit) {
+    /// Follows the ray through null interfaces to a surface, or to where a medium scatters it, and
+    /// adds the emitters on the way. @param hit  first hit of the ray, if any.
+    std::optional<Hit> next_vertex(Ray& ray, std::optional<Hit> hit) {
         while (true) {
             ++rays_;
-            if (scene_.has_media())
-                throughput_ *= pass_.scene.transmittance(medium_, hit ? hit->distance : kInfinity);
+            ray.length = hit ? hit->distance : kInfinity;
+            if (const auto distance = cross_medium(ray))
+                return point_in_medium(ray.origin + ray.direction * *distance);
             if (!hit) {
                 add_emitters_beyond(ray.direction);
                 return {};
@@ -61,6 +63,20 @@ private:
             ray = ray_from(*hit, ray.direction);
             hit = scene_.geometry().intersect(ray);
         }
+    }
+
+    /// @return the distance at which the medium scatters the path, if it does.
+    std::optional<float> cross_medium(const Ray& way) {
+        if (!scene_.has_media()) return {};
+        const SampledMedium& medium = pass_.scene.media[medium_];
+        if (!medium.scatters) {
+            throughput_ *= transmittance(medium, way);
+            return {};
+        }
+        const Flight flight = fly(medium, way, throughput_, static_cast<float>(number()));
+        throughput_ *= flight.weight;
+        if (!flight.is_scattered) return {};
+        return flight.distance;
     }
 
     void add_emitters_beyond(const Vec3& direction) {
@@ -92,7 +108,8 @@ private:
 
     /// Adds direct light, then samples a direction: `ray` becomes the next one.
     std::optional<BsdfSample> scatter(Hit& hit, Ray& ray) {
-        const Bsdf bsdf = vertex_bsdf(pass_.scene, hit, throughput_, hero_);
+        const Bsdf bsdf = hit.shape == kNone ? Bsdf(pass_.scene.media[medium_].phase)
+                                             : vertex_bsdf(pass_.scene, hit, throughput_, hero_);
         const Frame frame(hit.shading_normal, hit.tangent);
         const Vec3 wo = frame.to_local(-ray.direction);
         if (scattering(bsdf) != Scattering::specular) add_light_sample(hit, frame, bsdf, wo);
@@ -130,8 +147,8 @@ private:
         }
         const SampledSpectrum emitted =
             pass_.scene.coloured(pass_.scene.emission[choice->index], light->rgb);
-        sum_ +=
-            throughput_ * f * seen * emitted * (light->factor * std::abs(wi.z) * weight / chosen);
+        sum_ += throughput_ * f * seen * emitted *
+                (light->factor * cosine_of(bsdf, wi) * weight / chosen);
     }
 
     bool survives() {

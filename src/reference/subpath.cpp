@@ -78,6 +78,7 @@ void SubpathTracer::trace_camera(const Vec2d& film, std::size_t wavelength, Path
     hero_ = {wavelength, false};
     medium_ = pass_.scene.scene.media().at_camera;
     direction_ = Vec3(ray.direction);
+    from_ = Vec3(ray.origin);
     ray_hit_ = pass_.scene.scene.geometry().trace_precise(ray.origin, ray.direction);
     unlit_ = 0;
     scale_ = 1;
@@ -105,6 +106,7 @@ void SubpathTracer::trace_light(std::size_t wavelength, PathNumbers& numbers, Su
     const Vec3d normal(start.normal);
     const Vec3d origin =
         start.origin + normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
+    from_ = Vec3(origin);
     ray_hit_ = scene.geometry().trace_precise(origin, start.direction);
     unlit_ = static_cast<float>(start.unlit);
     follow(numbers, path);
@@ -127,14 +129,17 @@ bool SubpathTracer::next_surface(Subpath& path) {
         ++rays_;
         const bool met = scene.geometry().complete(ray_hit_, hit_);
         if (scene.has_media())
-            throughput_ *= pass_.scene.transmittance(medium_, met ? hit_.distance : kInfinity);
+            throughput_ *= pass_.scene.transmittance(
+                medium_, {from_, direction_, met ? hit_.distance : kInfinity});
         if (transport_ == Transport::radiance) note_lights(met, path);
         if (!met) return false;
         const bool is_lit = !(hit_.distance < unlit_);
         unlit_ -= hit_.distance;
         if (!scene.is_null_interface(hit_)) return is_lit;
         medium_ = scene.medium_beyond(hit_, direction_, medium_);
-        ray_hit_ = scene.geometry().trace(ray_from(hit_, direction_));
+        const Ray ray = ray_from(hit_, direction_);
+        from_ = ray.origin;
+        ray_hit_ = scene.geometry().trace(ray);
     }
 }
 
@@ -212,7 +217,9 @@ bool SubpathTracer::scatter(PathNumbers& numbers, SubpathVertex& vertex, std::si
         throughput_ /= survives;
     }
     medium_ = pass_.scene.scene.medium_beyond(vertex.hit, direction_, medium_);
-    ray_hit_ = pass_.scene.scene.geometry().trace(ray_from(vertex.hit, direction_));
+    const Ray ray = ray_from(vertex.hit, direction_);
+    from_ = ray.origin;
+    ray_hit_ = pass_.scene.scene.geometry().trace(ray);
     return true;
 }
 

@@ -95,6 +95,7 @@ private:
     HeroWavelength hero_;
     MediumNumber medium_ = 0;
     Vec3 direction_{0};
+    Vec3 from_{0};  // origin of the ray
     RayHit ray_hit_;
     Hit hit_;
     float unlit_ = 0;

@@ -24,10 +24,10 @@ inline std::uint32_t add_material(SceneDescription& scene, Material material,
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
-/// Adds a medium. @param absorption  per metre. @return its number.
+/// Adds a medium that absorbs alone. @param absorption  per metre. @return its number.
 inline MediumNumber add_medium(SceneDescription& scene, const Spectrum& absorption) {
-    scene.media.absorption.push_back(absorption);
-    return static_cast<MediumNumber>(scene.media.absorption.size() - 1);
+    scene.media.all.push_back({absorption, Spectrum(), 0});
+    return static_cast<MediumNumber>(scene.media.all.size() - 1);
 }
 
 }  // namespace sunfleck::engine

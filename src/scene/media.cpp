@@ -6,7 +6,7 @@
 namespace sunfleck::engine {
 namespace {
 
-bool absorbs(const Spectrum& curve) {
+bool is_anywhere(const Spectrum& curve) {
     for (int nm = 360; nm <= 830; ++nm)
         if (curve(static_cast<float>(nm)) > 0) return true;
     return false;
@@ -14,8 +14,10 @@ bool absorbs(const Spectrum& curve) {
 
 }  // namespace
 
-bool Media::absorb() const {
-    return std::any_of(absorption.begin(), absorption.end(), absorbs);
+bool Media::act() const {
+    return std::any_of(all.begin(), all.end(), [](const Medium& medium) {
+        return is_anywhere(medium.absorption) || is_anywhere(medium.scattering);
+    });
 }
 
 }  // namespace sunfleck::engine

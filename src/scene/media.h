@@ -1,18 +1,17 @@
-// Media between surfaces: they absorb by Beer's law and do not scatter.
+// Media between surfaces: which one is where.
 //
 // A path stays in its medium until it leaves a surface with different media on its sides (pbrt-v4).
 #pragma once
 
-#include "math/spectrum.h"
 #include "math/vector.h"
+#include "medium/medium.h"
 
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
 namespace sunfleck::engine {
 
-/// Index into Media::absorption; 0 is empty space.
+/// Index into Media::all; 0 is empty space.
 using MediumNumber = std::uint32_t;
 
 /// The media on the two sides of a surface.
@@ -33,22 +32,12 @@ struct MediumSides {
 
 /// All media of a scene, and those in which paths start.
 struct Media {
-    std::vector<Spectrum> absorption{Spectrum()};  // per unit of length in the world
+    std::vector<Medium> all{Medium()};
     MediumNumber at_camera = 0;
     std::vector<MediumSides> at_lights;  // per light; those beyond the end are in empty space
 
-    /// Returns whether any medium absorbs.
-    bool absorb() const;
+    /// Returns whether any medium absorbs or scatters.
+    bool act() const;
 };
-
-/// Returns the transmittance of a distance in a medium.
-/// @param absorption  per unit of length, not negative.
-/// @param distance  may be infinite: then every absorbed wavelength becomes zero.
-inline SampledSpectrum transmittance(const SampledSpectrum& absorption, float distance) {
-    SampledSpectrum left;
-    for (std::size_t i = 0; i < kWavelengths; ++i)
-        left[i] = absorption[i] > 0 ? std::exp(-absorption[i] * distance) : 1;
-    return left;
-}
 
 }  // namespace sunfleck::engine

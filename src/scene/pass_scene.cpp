@@ -38,7 +38,9 @@ PassScene::PassScene(const Scene& of, PassId pass)
     }
     may_gather_.resize(materials);
     for (std::uint32_t i = 0; i < materials; ++i) may_gather_[i] = find_whether_gathers(i) ? 1 : 0;
-    for (const Spectrum& curve : of.media().absorption) absorption.push_back(curve.at(wavelengths));
+    for (const Medium& medium : of.media().all) media.push_back(sampled(medium, wavelengths));
+    phases_ = static_cast<std::uint32_t>(materials) + kept_.add(media.front().phase);
+    for (std::size_t i = 1; i < media.size(); ++i) kept_.add(media[i].phase);
     parallel_blocks(emission.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             emission[i] = curve(of.lights()[i]).at(wavelengths);
@@ -59,7 +61,8 @@ MediumNumber PassScene::start_medium(std::size_t light, const Emission& start,
     if (!scene.has_media()) return 0;
     const MediumNumber medium =
         scene.media().at_lights[light].towards(start.normal, Vec3(start.direction));
-    if (comes_from_afar(scene.lights()[light])) flux *= transmittance(medium, kInfinity);
+    if (comes_from_afar(scene.lights()[light]))
+        flux *= transmittance(medium, {Vec3(start.origin), -Vec3(start.direction)});
     return medium;
 }
 
@@ -71,14 +74,15 @@ SampledSpectrum PassScene::seen_from(const Hit& hit, const Vec3& direction, floa
     const float past_end = distance - ray.length;
     while (const auto met = scene.geometry().intersect(ray)) {
         if (!scene.is_null_interface(*met)) return SampledSpectrum(0);
-        left *= transmittance(medium, met->distance);
+        left *= transmittance(medium, {ray.origin, direction, met->distance});
         medium = scene.medium_beyond(*met, direction, medium);
         const float rest = ray.length - met->distance;
         if (!(rest > 0)) return left;
         ray = ray_from(*met, direction);
         ray.length = rest;
     }
-    return left * transmittance(medium, distance == kInfinity ? kInfinity : ray.length + past_end);
+    if (distance < kInfinity) ray.length += past_end;
+    return left * transmittance(medium, ray);
 }
 
 /// Greys are exact, and do not need the table.

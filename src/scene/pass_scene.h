@@ -2,6 +2,7 @@
 // textures evaluated at hits.
 #pragma once
 
+#include "medium/free_path.h"
 #include "scene/bsdf_store.h"
 #include "scene/scene.h"
 
@@ -16,9 +17,9 @@ struct PassScene {
     /// By material; nothing for an interface or a mix, and for a material that is textured or
     /// perturbs the shading normal.
     std::vector<std::optional<Bsdf>> bsdfs;
-    std::vector<SampledSpectrum> emission;    // by light: its spectrum
-    std::vector<SampledSpectrum> absorption;  // by medium, per unit of length
-    SampledSpectrum white;                    // D65 of luminance one
+    std::vector<SampledSpectrum> emission;  // by light: its spectrum
+    std::vector<SampledMedium> media;       // by number
+    SampledSpectrum white;                  // D65 of luminance one
 
     PassScene(const Scene& of, PassId pass);
 
@@ -46,15 +47,17 @@ struct PassScene {
         return coloured(emission[index] * static_cast<float>(here.luminance), here.rgb);
     }
 
-    /// Returns the transmittance of a distance in a medium; the distance may be infinite.
-    SampledSpectrum transmittance(MediumNumber medium, float distance) const {
-        return sunfleck::engine::transmittance(absorption[medium], distance);
+    /// Returns what a medium leaves of light on a way, whose length may be infinite.
+    SampledSpectrum transmittance(MediumNumber medium, const Ray& way) const {
+        return sunfleck::engine::transmittance(media[medium], way);
     }
+    /// Returns the number with which kept() finds the phase function of a medium.
+    std::uint32_t phase_of(MediumNumber medium) const { return phases_ + medium; }
     /// Returns the medium in which light leaves a light, and attenuates its flux: distant light has
     /// come an infinite way already.
     MediumNumber start_medium(std::size_t light, const Emission& start,
                               SampledSpectrum& flux) const;
-    /// Returns the transmittance from a point to a hit: zero if something other than null
+    /// Returns the transmittance from a point to a vertex: zero if something other than null
     /// interfaces is between them; media attenuate it.
     /// @param direction  to the point, unit.
     /// @param medium  at the hit, in the direction of the point.
@@ -83,6 +86,7 @@ private:
     std::vector<char> may_gather_;           // per material
     std::vector<std::optional<Bsdf>> bent_;  // per material: constant, with a bump or normal map
     std::vector<std::uint32_t> layers_;      // per material: number of the base under a coat
+    std::uint32_t phases_ = 0;               // number of the first medium's phase function
     mutable BsdfStore kept_;                 // numbers depend on the threads, pictures do not
 };
 

@@ -83,6 +83,9 @@ Vec3d move_to_rendering_space(SceneDescription& scene) {
     move(scene.shapes, -origin);
     for (InstanceDescription& instance : scene.instances) move(instance.to_world, -origin);
     for (Light& light : scene.lights) std::visit([&](auto& one) { move(one, -origin); }, light);
+    for (Medium& medium : scene.media.all)
+        if (medium.density)
+            medium.density = std::make_shared<const Density>(moved(*medium.density, -origin));
     move_to(origin, scene.camera);
     move_covers(scene.shapes, origin);
     for (Shapes& object : scene.objects) move_covers(object, origin);

@@ -48,7 +48,7 @@ ScenePlaces places_of(const SceneDescription& description, const std::string& pa
 
 Scene::Scene(SceneDescription description, const std::string& isa)
     : origin_(move_to_rendering_space(description)),
-      has_media_(description.media.absorb()),
+      has_media_(description.media.act()),
       bump_maps_(std::move(description.bump_maps)),
       lights_(std::make_shared<SceneLights>(std::move(description.light_statements))),
       surfaces_(take_shapes(description, isa)),
@@ -58,8 +58,8 @@ Scene::Scene(SceneDescription description, const std::string& isa)
       path_(std::move(description.path)) {
     bump_maps_.resize(materials().size());
     finish_lights(description);
-    find_darkness();
     if (has_media_) join_media(std::move(description.media));
+    find_darkness();
     before_views_ = std::make_shared<const BeforeViews>(
         BeforeViews{media_, warnings_, places_of(description, path_, materials())});
     camera_ = description.camera;
@@ -152,7 +152,8 @@ void Scene::find_darkness() {
         darken("the scene has no light");
     else if (!lights_->has_power())
         darken("no light of the scene has any power (L, I or scale is 0)");
-    else if (geometry().bounds().is_empty() && infinite_lights().empty())
+    else if (geometry().bounds().is_empty() && infinite_lights().empty() &&
+             std::none_of(media_.all.begin(), media_.all.end(), scatters))
         darken("the scene has no shape and no infinite light: nothing can be seen");
 }
 
@@ -160,7 +161,7 @@ void Scene::find_darkness() {
 void Scene::join_media(Media media) {
     media.at_lights.resize(lights().size() - media_.at_lights.size());
     media_.at_lights.insert(media_.at_lights.end(), media.at_lights.begin(), media.at_lights.end());
-    media_.absorption = std::move(media.absorption);
+    media_.all = std::move(media.all);
     media_.at_camera = media.at_camera;
 }
 

@@ -67,7 +67,7 @@ public:
         return geometry().intersect({Vec3(ray.origin), Vec3(ray.direction)});
     }
 
-    /// Returns whether any medium absorbs; if none does, media are ignored.
+    /// Returns whether any medium does anything; if none does, media are ignored.
     bool has_media() const { return has_media_; }
     /// Returns the media; at_lights has one entry per light. Distant and infinite lights are in
     /// outer_medium().

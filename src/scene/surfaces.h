@@ -50,9 +50,10 @@ public:
 
     const MediumSides& media_of(std::uint32_t shape) const { return records_[shape].media; }
     bool separates_media(const Hit& hit) const { return media_of(hit.shape).differ(); }
-    /// Returns the medium of a path that leaves a hit into `direction`. @param before  medium of
-    /// the path before.
+    /// Returns the medium of a path that leaves a hit into `direction`, or a point in a medium.
+    /// @param before  medium of the path before.
     MediumNumber medium_beyond(const Hit& hit, const Vec3& direction, MediumNumber before) const {
+        if (hit.shape == kNone) return before;
         const MediumSides& sides = media_of(hit.shape);
         return sides.differ() ? sides.towards(hit.normal, direction) : before;
     }

@@ -25,11 +25,14 @@ std::vector<fs::path> scene_files() {
     return found;
 }
 
-/// Every mention of the folder goes.
+/// Every mention of the folder goes; of what lies beside it, "../" is left.
 std::string without_folder(std::string text) {
-    const std::string folder = kFolder.string() + "/";
-    for (std::size_t at = 0; (at = text.find(folder, at)) != std::string::npos;)
-        text.erase(at, folder.size());
+    for (const auto& [folder, left] :
+         {std::pair(kFolder, ""), std::pair(kFolder.parent_path(), "../")}) {
+        const std::string begin = folder.string() + "/";
+        for (std::size_t at = 0; (at = text.find(begin, at)) != std::string::npos;)
+            text.replace(at, begin.size(), left);
+    }
     return text;
 }
 

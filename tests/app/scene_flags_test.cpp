@@ -83,6 +83,37 @@ TEST_F(SceneFlags, hang_luminaires_upright_in_candela) {
     EXPECT_TRUE(has(other.err, "no point and no spot")) << other.err;
 }
 
+/// The same picture as of a scene that names the medium itself, but for the last bits of its
+/// curves.
+TEST_F(SceneFlags, fill_the_air_with_fog) {
+    const std::string head =
+        "LookAt 0 -4 0  0 0 0  0 0 1\nFilm \"rgb\" \"integer xresolution\" 6 \"integer "
+        "yresolution\" 6\n";
+    const std::string rest =
+        "Camera \"perspective\" \"float fov\" 50\nWorldBegin\nLightSource \"point\" \"point3 "
+        "from\" [0 -2 2]\nShape \"sphere\"\n";
+    write_text(path("clear.pbrt"), head + rest);
+    write_text(path("foggy.pbrt"),
+               head +
+                   "MakeNamedMedium \"fog\" \"string type\" \"homogeneous\" \"spectrum "
+                   "sigma_s\" [300 0.1875 900 0.1875] \"spectrum sigma_a\" [300 0.0625 900 "
+                   "0.0625] \"float g\" 0.5\nMediumInterface \"\" \"fog\"\n" +
+                   rest);
+    const auto values = [&](const Words& words) {
+        const Ran ran = run(testing_support::operator+(
+            {"render", "-o", "x.exr", "--passes", "2", "--photons-per-pass", "500"}, words));
+        EXPECT_EQ(ran.code, 0) << ran.err;
+        return read_exr(path("x.exr")).find("G")->values;
+    };
+    const auto foggy = values({"foggy.pbrt"});
+    const auto filled = values({"clear.pbrt", "--fog", "4,0.75,0.5"});
+    const auto clear = values({"clear.pbrt"});
+    for (std::size_t i = 0; i < foggy.size(); ++i)
+        EXPECT_NEAR(filled.at(i) / foggy.at(i), 1, 1e-4) << i;
+    EXPECT_EQ(clear.at(0), 0);
+    EXPECT_GT(foggy.at(0), 0);
+}
+
 TEST_F(SceneFlags, that_mean_nothing_are_refused) {
     write_sky("wide.exr", 9, 4);
     struct Row {
@@ -100,6 +131,8 @@ TEST_F(SceneFlags, that_mean_nothing_are_refused) {
         {{"room.pbrt", "--environment", "none.exr"}, "none.exr"},
         {{"room.pbrt", "--sun", "1,2", "--sun", "1,2"}, "--sun: is given twice"},
         {{"room.pbrt", "--sun", "1,2", "--turbidity", "0.5"}, "--turbidity"},
+        {{"room.pbrt", "--fog", "4,0.5"}, "--fog: \"4,0.5\" is no MEAN_FREE_PATH[,ALBEDO,G]"},
+        {{"room.pbrt", "--fog", "0"}, "--fog"},
         {{"room.pbrt", "--ies", "lamp.ies"}, "--ies: \"lamp.ies\" is no LIGHT=FILE"},
         {{"room.pbrt", "--ies", "7=lamp.ies"}, "--ies: the scene has no light \"7\""},
         {{"square.gltf", "--glass", "hollow"}, "use auto or solid or thin"}};

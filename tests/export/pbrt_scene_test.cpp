@@ -84,7 +84,7 @@ Shape "disk"
 )");
     const SceneDescription second = again(first);
     const auto sigma = [](const SceneDescription& scene, MediumNumber number) {
-        return scene.media.absorption.at(number)(520);
+        return scene.media.all.at(number).absorption(520);
     };
     EXPECT_FLOAT_EQ(sigma(second, second.media.at_camera), sigma(first, first.media.at_camera));
     ASSERT_EQ(second.shapes.size(), 2U);

@@ -57,7 +57,7 @@ TEST(ExportedViews, say_the_angle_that_was_given) {
 TEST(ExportedViews, ask_for_what_shows_media) {
     SceneDescription scene = read_world("");
     EXPECT_TRUE(contains(integrator_text(scene), "\"sppm\""));
-    scene.media.absorption.push_back(Spectrum::constant(1));
+    scene.media.all.push_back({Spectrum::constant(1), Spectrum(), 0});
     EXPECT_TRUE(contains(integrator_text(scene), "\"volpath\""));
     scene.hints.integrator = "bdpt";
     EXPECT_TRUE(contains(integrator_text(scene), "\"bdpt\""));

@@ -14,6 +14,7 @@ FuzzTarget fuzz_bsdf;
 FuzzTarget fuzz_checkpoint;
 FuzzTarget fuzz_gltf;
 FuzzTarget fuzz_image;
+FuzzTarget fuzz_nvdb;
 FuzzTarget fuzz_obj;
 FuzzTarget fuzz_pbrt;
 FuzzTarget fuzz_ply;
@@ -60,9 +61,9 @@ INSTANTIATE_TEST_SUITE_P(Of, Corpora,
                          testing::Values(Corpus{"bsdf", fuzz_bsdf},
                                          Corpus{"checkpoint", fuzz_checkpoint},
                                          Corpus{"gltf", fuzz_gltf}, Corpus{"image", fuzz_image},
-                                         Corpus{"obj", fuzz_obj}, Corpus{"pbrt", fuzz_pbrt},
-                                         Corpus{"ply", fuzz_ply}, Corpus{"spd", fuzz_spd},
-                                         Corpus{"stl", fuzz_stl}),
+                                         Corpus{"nvdb", fuzz_nvdb}, Corpus{"obj", fuzz_obj},
+                                         Corpus{"pbrt", fuzz_pbrt}, Corpus{"ply", fuzz_ply},
+                                         Corpus{"spd", fuzz_spd}, Corpus{"stl", fuzz_stl}),
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace

@@ -134,7 +134,7 @@ TEST(Ledger, a_medium_absorbs_what_does_not_arrive) {
     scene.shapes = {shape({Sphere{}, Matrix(), true}, 0)};
     scene.shapes[0].media = {0, 1};
     scene.lights = {PointLight{Spectrum::constant(3), {0, 0, 0}}};
-    scene.media.absorption.push_back(Spectrum::constant(0.45F));
+    scene.media.all.push_back({Spectrum::constant(0.45F), Spectrum(), 0});
     scene.media.at_lights = {{1, 1}};
     scene.media.at_camera = 1;
     const double a = 2 * 0.45;

@@ -63,7 +63,7 @@ double share_on(const Scene& scene, std::uint32_t shape, std::size_t& count) {
         };
         PhotonState state;
         Hit hit;
-        if (tracer.start(read, state) && tracer.complete(tracer.send(state), hit))
+        if (tracer.start(read, state) && tracer.complete(tracer.send(state), state, hit))
             on += hit.shape == shape ? 1 : 0;
     }
     count = samples.size();

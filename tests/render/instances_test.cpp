@@ -87,7 +87,7 @@ int kind_at(const PassScene& pass, const Hit& hit) {
 }
 
 float absorption_beyond(const PassScene& pass, const Hit& hit, const Vec3& direction) {
-    return pass.absorption.at(pass.scene.medium_beyond(hit, direction, 0))[0];
+    return pass.media.at(pass.scene.medium_beyond(hit, direction, 0)).absorption[0];
 }
 
 class Rays {

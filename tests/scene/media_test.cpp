@@ -15,7 +15,7 @@ constexpr std::uint32_t kInterface = 2;
 /// Medium 1 absorbs 0.5, medium 2 absorbs 0.25, medium 3 nothing.
 SceneDescription with_media(SceneDescription scene) {
     for (const float sigma : {0.5F, 0.25F, 0.0F})
-        scene.media.absorption.push_back(Spectrum::constant(sigma));
+        scene.media.all.push_back({Spectrum::constant(sigma), Spectrum(), 0});
     return scene;
 }
 
@@ -31,24 +31,15 @@ Hit hit_below(const Scene& scene, float z) {
     return scene.geometry().intersect({{0.2F, 0.3F, z}, {0, 0, -1}, kInfinity}).value();
 }
 
-TEST(Media, transmittance_is_beers_law) {
-    SampledSpectrum sigma(0.7F);
-    sigma[0] = 0;
-    EXPECT_FLOAT_EQ(transmittance(sigma, 2)[1], std::exp(-1.4F));
-    EXPECT_EQ(transmittance(sigma, 2)[0], 1);
-    EXPECT_EQ(transmittance(sigma, kInfinity)[0], 1);
-    EXPECT_EQ(transmittance(sigma, kInfinity)[1], 0);
-}
-
 TEST(Media, absorb_by_wavelength) {
     SceneDescription description = floor_of();
     const Spectrum curve = Spectrum::rgb_unbounded({0.1F, 2, 5});
-    description.media.absorption.push_back(curve);
+    description.media.all.push_back({curve, Spectrum(), 0});
     const Scene scene(description);
     for (std::uint32_t p = 0; p < 3; ++p) {
         const PassScene pass(scene, {1, p});
         const SampledSpectrum sigma = curve.at(pass.wavelengths);
-        const SampledSpectrum left = pass.transmittance(1, 0.3F);
+        const SampledSpectrum left = pass.transmittance(1, {Vec3(0), Vec3(0, 0, 1), 0.3F});
         for (std::size_t i = 0; i < kWavelengths; ++i)
             EXPECT_FLOAT_EQ(left[i], std::exp(-0.3F * sigma[i]));
     }
@@ -97,7 +88,7 @@ TEST(Media, shadow_rays_pass_them) {
 /// Media that all let light pass leave a scene as it would be without them.
 TEST(Media, that_absorb_nothing_are_none) {
     SceneDescription description = floor_of();
-    description.media.absorption.push_back(Spectrum::constant(0));
+    description.media.all.push_back({Spectrum::constant(0), Spectrum(), 0});
     description.shapes.push_back(sheet(1, {1, 0}));
     const Scene scene(description);
     EXPECT_FALSE(scene.has_media());

@@ -90,15 +90,23 @@ inline constexpr auto kAreaLightWords = std::to_array<WordRow>({
 
 inline constexpr auto kMediumWords = std::to_array<WordRow>({
     {"MakeNamedMedium", "homogeneous", kExact,
-     "`sigma_a` (1) per unit of the world's length, `scale` (1), or a `preset`: absorbed exactly, "
-     "by "
-     "wavelength, on every path. What such a medium scatters (`sigma_s`, 1) goes straight on, and "
-     "`Le` "
-     "is ignored, with a warning each"},
-    {"MakeNamedMedium", "uniformgrid", kIgnored, "light passes unchanged"},
+     "`sigma_a` (1) and `sigma_s` (1) per unit of the world's length, `scale` (1), or a `preset`; "
+     "`g` "
+     "(0) of Henyey and Greenstein. `Le` is ignored, with a warning"},
+    {"MakeNamedMedium", "uniformgrid", kExact,
+     "as `homogeneous`, times `density`: `nx`, `ny`, `nz` (1) values, x first, in the box from "
+     "`p0` "
+     "(0 0 0) to `p1` (1 1 1) of the current matrix. `Le`, `Lescale` and `temperature` are "
+     "ignored, "
+     "with a warning"},
     {"MakeNamedMedium", "rgbgrid", kIgnored, "light passes unchanged"},
-    {"MakeNamedMedium", "cloud", kIgnored, "light passes unchanged"},
-    {"MakeNamedMedium", "nanovdb", kIgnored, "light passes unchanged"},
+    {"MakeNamedMedium", "cloud", kExact,
+     "as `homogeneous`, times noise by `density` (1), `wispiness` (1) and `frequency` (5) in the "
+     "box from `p0` (0 0 0) to `p1` (1 1 1): sampled once, at 161 points an axis or fewer"},
+    {"MakeNamedMedium", "nanovdb", kExact,
+     "as `homogeneous`, times the grid `gridname` (`density`) of the file `filename`: floats, "
+     "NanoVDB's format 32, packed by zip or not at all. A grid `temperaturename` (`temperature`) "
+     "is ignored, with a warning"},
 });
 
 }  // namespace sunfleck::engine

@@ -65,7 +65,7 @@ void finish(Reading& reading) {
     finish_hints(reading);
     finish_materials(reading.materials, reading.assets, reading.scene);
     finish_emission(reading);
-    reading.media.finish(reading.assets.spectra, reading.log, reading.scene.media);
+    reading.media.finish(reading.assets, reading.scene.media);
     finish_instances(reading);
     reading.assets.images.load();
     reading.warn_unused_defaults();

@@ -1,13 +1,15 @@
-// Media by their names, with the absorption of homogeneous ones.
+// Media by their names, with the coefficients of homogeneous ones.
 #include "import/pbrt/medium_table.h"
 
 #include "import/pbrt/data_substances.h"
 #include "import/pbrt/data_vocabulary.h"
+#include "import/pbrt/medium_densities.h"
 #include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 #include "math/finite_product.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sunfleck::engine {
 namespace {
@@ -37,38 +39,46 @@ bool is_dark(const Spectrum& curve) {
     return !(curve.luminance() > 0);
 }
 
-/// Returns the absorption, and warns of what is not simulated.
-Spectrum absorption_of(const std::string& name, const Statement& medium, SpectrumReader& spectra,
-                       ImportLog& log) {
+}  // namespace
+
+/// Returns the medium, and warns of what is not simulated.
+Medium MediumTable::medium_of(const std::string& name, const Made& made, Assets& assets) {
+    const Statement& medium = made.statement;
+    ImportLog& log = assets.log;
     const auto warn = [&](const std::string& what) {
         log.warn(medium.where, "medium " + in_quotes(name) + " " + what);
     };
     const std::string type = *medium.text("type");
     log.count_word(medium.keyword, type);
-    if (type != "homogeneous") {
+    if (type == "rgbgrid") {
         medium.ignore_all();
         warn("of type " + in_quotes(type) + " is not simulated: light passes it unchanged");
         return {};
     }
-    const Coefficients medium_is = coefficients_of(medium, spectra);
+    const Coefficients medium_is = coefficients_of(medium, assets.spectra);
     const double scale = medium.real("scale", 1);
     if (!(scale >= 0))
         throw Error(medium.find("scale")->where, "\"scale\" is negative", "use 0 or more");
-    const auto glow = spectra.find(medium, "Le", SpectrumUse::unbounded);
-    medium.ignore({"g", "Lescale"});
+    const double g = medium.real("g", 0);
+    if (!(std::abs(g) < 1))
+        throw Error(medium.find("g")->where, "\"g\" is not between -1 and 1",
+                    "use the mean cosine of scattering: 0 for all directions alike, up to 0.99");
+    const auto density = density_of(medium, made.to_world, assets.files, log);
+    const double peak = density ? static_cast<double>(greatest(*density)) : 1;
+    const auto glow = assets.spectra.find(medium, "Le", SpectrumUse::unbounded);
+    medium.ignore({"Lescale"});
     log.warn_unused(medium);
-    if (scale > 0 && !is_dark(medium_is.scattering))
-        warn("scatters, which is not simulated: it only absorbs");
     if (glow && !is_dark(*glow)) warn("emits, which is not simulated: \"Le\" is ignored");
-    if (auto absorption = finite_product(medium_is.absorption, scale))
-        return *std::move(absorption);
-    throw Error(medium.where,
-                "medium " + in_quotes(name) +
-                    " is too dense: \"sigma_a\" times \"scale\" is no finite float",
-                "keep the product below 3.4e38");
+    const auto scaled = [&](const Spectrum& curve, const char* word) {
+        if (auto product = finite_product(curve, scale, peak)) return *std::move(product);
+        throw Error(medium.where,
+                    "medium " + in_quotes(name) + " is too dense: " + in_quotes(word) +
+                        " times \"scale\" is no finite float",
+                    "keep the product below 3.4e38");
+    };
+    return {scaled(medium_is.absorption, "sigma_a"), scaled(medium_is.scattering, "sigma_s"),
+            static_cast<float>(g), density};
 }
-
-}  // namespace
 
 const Substance& substance_of(const std::string& name, const SourceLocation& from) {
     const auto* const row = std::find_if(kSubstances.begin(), kSubstances.end(),
@@ -79,7 +89,7 @@ const Substance& substance_of(const std::string& name, const SourceLocation& fro
 }
 
 // NOLINTNEXTLINE(performance-unnecessary-value-param): it is moved from
-void MediumTable::make(Statement statement) {
+void MediumTable::make(Statement statement, const Matrix& to_world) {
     const auto type = statement.text("type");
     if (!type)
         throw Error(statement.where, "medium " + in_quotes(statement.type) + " has no type",
@@ -90,7 +100,7 @@ void MediumTable::make(Statement statement) {
                     use_one_of(kTypes, *type));
     const SourceLocation where = statement.where;
     const std::string name = statement.type;
-    if (!made_.try_emplace(name, std::move(statement)).second)
+    if (!made_.try_emplace(name, Made{std::move(statement), to_world}).second)
         throw Error(where, "a second medium " + in_quotes(name), "give it another name");
 }
 
@@ -102,14 +112,14 @@ MediumNumber MediumTable::number_of(const std::string& name, const SourceLocatio
     return place->second;
 }
 
-void MediumTable::finish(SpectrumReader& spectra, ImportLog& log, Media& media) const {
+void MediumTable::finish(Assets& assets, Media& media) const {
     for (const Use& use : uses_) {
         const auto found = made_.find(use.name);
         if (found == made_.end())
             throw Error(
                 use.from, "there is no medium " + in_quotes(use.name),
                 "make the medium, or name another: " + did_you_mean(names_of(made_), use.name));
-        media.absorption.push_back(absorption_of(use.name, found->second, spectra, log));
+        media.all.push_back(medium_of(use.name, found->second, assets));
     }
 }
 

@@ -72,7 +72,7 @@ void StatementChecks::medium(const Statement& medium) const {
     table.number_of(medium.type, medium.where);
     try_with_assets(path_, [&](Assets& assets) {
         Media media;
-        table.finish(assets.spectra, assets.log, media);
+        table.finish(assets, media);
     });
 }
 

@@ -39,7 +39,10 @@ void texture(Reading& reading, TokenStream& tokens, const Token& keyword) {
 void make_named_medium(Reading& reading, TokenStream& tokens, const Token& keyword) {
     Statement statement = read_statement(tokens, keyword, reading.state.colour_space);
     statement.defaults = reading.state.medium_defaults;
-    reading.media.make(std::move(statement));
+    const auto type = statement.text("type");
+    const bool is_even = !type || type == "homogeneous";  // then, its matrix says nothing
+    const Matrix to_world = is_even ? Matrix() : reading.still_matrix(keyword.where());
+    reading.media.make(std::move(statement), to_world);
 }
 
 /// Reads one name for both sides, or two; empty names are empty space.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gltf_files.h"
+#include "medium/free_path.h"
 #include "scene/scene.h"
 
 #include <optional>
@@ -61,7 +62,8 @@ public:
         const Vec3 from = offset_origin(hit.position, hit.normal, hit.error, along);
         const auto next = scene_.geometry().intersect(Ray{from, along, kInfinity});
         if (!next) return SampledSpectrum(-1);
-        return transmittance(scene_.media().absorption.at(medium).at(wavelengths), next->distance);
+        return transmittance(sampled(scene_.media().all.at(medium), wavelengths),
+                             {from, along, next->distance});
     }
 
 private:

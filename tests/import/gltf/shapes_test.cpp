@@ -39,7 +39,7 @@ TEST_F(GltfShape, glass_of_a_closed_surface_is_solid) {
     EXPECT_EQ(shape.media, (MediumSides{1, 0}));
     // A straight way of mean length has half of the red.
     const auto red = static_cast<float>(std::log(2) / kChord);
-    expect_same(scene.media.absorption.at(1), Spectrum::rgb_unbounded({red, 0, 0}));
+    expect_same(scene.media.all.at(1).absorption, Spectrum::rgb_unbounded({red, 0, 0}));
 }
 
 TEST_F(GltfShape, glass_is_what_it_is_told_to_be) {
@@ -87,7 +87,7 @@ TEST_F(GltfShape, volumes_absorb_by_beers_law) {
 "attenuationColor":[1,0.25,1]})"));
     const auto red = static_cast<float>(std::log(2) / kChord);
     const auto green = static_cast<float>(std::log(4) / 2);
-    expect_same(scene.media.absorption.at(1), Spectrum::rgb_unbounded({red, green, 0}));
+    expect_same(scene.media.all.at(1).absorption, Spectrum::rgb_unbounded({red, green, 0}));
 }
 
 TEST_F(GltfShape, a_mesh_of_several_nodes_is_one_object) {

@@ -78,9 +78,9 @@ TEST_F(Part, has_a_named_material_where_its_file_says_none) {
     EXPECT_EQ(fault_of(kTetrahedron, of_material("bk9")).substr(0, 38),
               "--material: there is no material \"bk9\"");
     const SceneDescription water = read(kTetrahedron, of_material("water"));
-    ASSERT_EQ(water.media.absorption.size(), 2U);
+    ASSERT_EQ(water.media.all.size(), 2U);
     EXPECT_EQ(water.shapes[0].media.inside, 1U);
-    EXPECT_GT(water.media.absorption[1](700), 0);
+    EXPECT_GT(water.media.all[1].absorption(700), 0);
 }
 
 TEST_F(Part, names_its_files_and_remarks) {

@@ -75,11 +75,11 @@ TEST_F(PartShapes, of_coloured_glass_have_a_medium_within) {
     ImportSettings inches;
     inches.metres_per_unit = 0.0254;
     const SceneDescription scene = with_material(kGlass, kTetrahedron, inches);
-    ASSERT_EQ(scene.media.absorption.size(), 2U);
+    ASSERT_EQ(scene.media.all.size(), 2U);
     EXPECT_EQ(scene.shapes[0].media.inside, 1U);
     const double chord = 0.0254 * 4 * (1.0 / 6) / (1.5 + std::sqrt(3) / 2);
     const Vec3 expected(static_cast<float>(std::log(2) / chord), 0, 0);
-    EXPECT_NEAR(scene.media.absorption[1](650), Spectrum::rgb_unbounded(expected)(650), 1e-3);
+    EXPECT_NEAR(scene.media.all[1].absorption(650), Spectrum::rgb_unbounded(expected)(650), 1e-3);
 }
 
 /// The poles of a sphere as programs write them: rings of one point. They would be panes.

@@ -9,7 +9,7 @@ const std::string kClear =
 const std::string kUse = "MediumInterface \"ink\" \"\" Shape \"sphere\" ";
 
 float absorption(const SceneDescription& scene, std::size_t medium, float nm = 500) {
-    return scene.media.absorption.at(medium)(nm);
+    return scene.media.all.at(medium).absorption(nm);
 }
 
 TEST(ReadMedia, that_only_absorb_say_nothing) {
@@ -25,12 +25,24 @@ TEST(ReadMedia, have_pbrts_defaults_and_presets) {
     const SceneDescription plain =
         read_world("MakeNamedMedium \"ink\" \"string type\" \"homogeneous\" " + kUse);
     EXPECT_EQ(absorption(plain, 1), 1);
-    EXPECT_EQ(warnings_with(plain, "scatters"), 1);
+    EXPECT_EQ(plain.media.all.at(1).scattering(500), 1);
+    EXPECT_EQ(plain.media.all.at(1).g, 0);
+    EXPECT_TRUE(plain.warnings.entries().empty());
     const SceneDescription wine =
         read_world(kClear + "\"string preset\" \"Merlot\" \"float scale\" 2 " + kUse);
     const Spectrum merlot = Spectrum::rgb_unbounded({0.11632F, 0.25191F, 0.29434F});
     EXPECT_FLOAT_EQ(absorption(wine, 1), 2 * merlot(500));
     EXPECT_TRUE(contains(world_error(kClear + "\"string preset\" \"Merlo\" " + kUse), "Merlot"));
+}
+
+TEST(ReadMedia, that_scatter_have_a_mean_cosine) {
+    const std::string foggy = "MakeNamedMedium \"ink\" \"string type\" \"homogeneous\" ";
+    const SceneDescription scene = read_world(
+        foggy + "\"spectrum sigma_s\" [400 2 600 4] \"float scale\" .5 \"float g\" .3 " + kUse);
+    EXPECT_FLOAT_EQ(scene.media.all.at(1).scattering(500), 1.5F);
+    EXPECT_FLOAT_EQ(scene.media.all.at(1).g, 0.3F);
+    EXPECT_TRUE(contains(world_error(foggy + "\"float g\" -1 " + kUse), "not between -1 and 1"));
+    EXPECT_TRUE(contains(world_error(foggy + "\"float g\" 1.5 " + kUse), "\"g\""));
 }
 
 TEST(ReadMedia, whose_density_overflows_floats_are_told_with_the_product) {
@@ -49,7 +61,7 @@ TEST(ReadMedia, stand_by_the_state_of_the_graphics) {
         kClear + kClear.substr(0, 17) + "fog" + kClear.substr(20) + kClear.substr(0, 17) + "air" +
         kClear.substr(20));
     // By their first use: fog 1, ink 2, air 3.
-    EXPECT_EQ(scene.media.absorption.size(), 4U);
+    EXPECT_EQ(scene.media.all.size(), 4U);
     EXPECT_EQ(scene.media.at_camera, 1U);
     ASSERT_EQ(scene.media.at_lights.size(), 3U);
     EXPECT_EQ(scene.media.at_lights[0].outside, 1U);
@@ -70,12 +82,10 @@ TEST(ReadMedia, that_are_not_simulated_are_told) {
     EXPECT_EQ(warned(even + "\"rgb Le\" [1 0 0] ", "emits"), 1);
     EXPECT_EQ(warned(even + "\"rgb Le\" [0 0 0] ", "emits"), 0);
     EXPECT_EQ(warned(even + "\"float smell\" 2 ", "unused"), 1);
-    EXPECT_EQ(warned("\"string type\" \"nanovdb\" \"string filename\" \"a.nvdb\" ",
-                     "light passes it unchanged"),
-              1);
-    const SceneDescription cloud =
-        read_world("MakeNamedMedium \"ink\" \"string type\" \"cloud\" " + kUse);
-    EXPECT_EQ(absorption(cloud, 1), 0);
+    EXPECT_EQ(warned("\"string type\" \"rgbgrid\" ", "light passes it unchanged"), 1);
+    const SceneDescription coloured =
+        read_world("MakeNamedMedium \"ink\" \"string type\" \"rgbgrid\" " + kUse);
+    EXPECT_EQ(absorption(coloured, 1), 0);
     const SceneDescription unused =
         read_world("MakeNamedMedium \"a\" \"string type\" \"cloud\" Shape \"sphere\" ");
     EXPECT_EQ(warnings_with(unused, "medium"), 0);

@@ -1,0 +1,160 @@
+// The light of media along a camera path: single scattering by light samples, and visible points,
+// which gather what photons bring (docs/method/media.md).
+//
+// A ray through a medium that scatters is looked at where it might be scattered: at one distance,
+// drawn by the free path. Light is sampled there, and photons count that are scattered in a piece
+// of the ray around it. The path itself goes on to the surface, with what the medium leaves of it.
+#include "camera_paths/camera_path.h"
+#include "camera_paths/medium_tuning.h"
+#include "medium/equiangular.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sunfleck::engine {
+namespace {
+
+/// Returns a point on a lamp that is not far away; nothing if none is chosen.
+std::optional<Vec3> lamp_near(const PassScene& pass, const Vec3& place, BatchPoints& numbers) {
+    const double choice = numbers.next();
+    const Vec2 u(numbers.next_2d());
+    const auto chosen = pass.scene.light_tree().choose({place, Vec3(0)}, choice);
+    if (!chosen) return {};
+    const Light& light = pass.scene.lights()[chosen->index];
+    if (comes_from_afar(light)) return {};
+    const auto sample = sample_direct(light, place, u, pass.scene.sphere());
+    if (!sample || !(sample->distance < kInfinity)) return {};
+    return place + sample->direction * sample->distance;
+}
+
+/// Returns the length of the equal pieces of a way.
+float piece_length(const Ray& way, float radius, float wide) {
+    const float length = radius * std::max(kPieceOverRadius, kPieceOverWideRadius * wide);
+    return way.length < kInfinity ? way.length / std::ceil(way.length / length) : length;
+}
+
+/// Returns the radius for indirect light over the other one. @param typical  a distance.
+float widening(float radius, float typical) {
+    return std::clamp(kPartOfDistance * typical / radius, 1.0F, kMostWidening);
+}
+
+Ray way_to(const Vec3& from, const Vec3& direction, const std::optional<Hit>& hit) {
+    return {from, direction, hit ? hit->distance : kInfinity};
+}
+
+}  // namespace
+
+/// @param hit  what the ray hits, if anything; the next one if the path is scattered.
+CameraPath::Crossing CameraPath::cross_medium(std::optional<Hit>& hit, BatchPoints& numbers) {
+    const SampledMedium& medium = pass_.scene.media[medium_];
+    const Ray way = way_to(from_, direction_, hit);
+    if (medium.scatters) {
+        if (beyond_) return fly_beyond(medium, hit, numbers);
+        if (bounces_ < pass_.transport.max_depth)
+            CameraPath(*this).look_into(medium, way, numbers.branch());
+    }
+    throughput_ *= transmittance(medium, way);
+    return Crossing::passed;
+}
+
+/// After the first vertex that gathers, a path is scattered or passes.
+CameraPath::Crossing CameraPath::fly_beyond(const SampledMedium& medium, std::optional<Hit>& hit,
+                                            BatchPoints& numbers) {
+    const Ray way = way_to(from_, direction_, hit);
+    const Flight flight = fly(medium, way, throughput_, static_cast<float>(numbers.next()));
+    throughput_ *= flight.weight;
+    if (!flight.is_scattered) return Crossing::passed;
+    if (bounces_ >= pass_.transport.max_depth) return Crossing::ended;
+    grow_footprint(flight.distance);
+    const Hit here = point_in_medium(way.origin + direction_ * flight.distance);
+    const Bsdf phase = medium.phase;
+    const CameraVertex vertex{here,    Frame(here.normal), -direction_, phase,
+                              medium_, pass_.settings.ris};
+    add_direct_light(vertex, numbers, false);
+    if (!scatter(vertex, numbers)) return Crossing::ended;
+    hit = pass_.scene.scene.geometry().intersect(ray_beyond(here));
+    return Crossing::scattered;
+}
+
+/// Adds the light that the medium scatters towards the camera; this path ends there.
+void CameraPath::look_into(const SampledMedium& medium, const Ray& way, BatchPoints numbers) {
+    const FreeWay path(medium, way, throughput_);
+    const float chance = path.chance();
+    if (!(chance > 0)) return;
+    has_features_ = true;
+    const Vec2d draws = numbers.next_2d();
+    const float here = path.distance_at(chance * static_cast<float>(draws.x));
+    // Half of the light comes from nearer. Pieces must not depend on what is drawn, and near the
+    // eye, where a pixel is narrow, they hold no photon.
+    const float typical = path.distance_at(chance / 2);
+    const float radius = radius_after(way, typical);
+    const float wide = widening(radius, typical);
+    const float length = piece_length(way, radius, wide);
+    const float begin = std::floor(here / length) * length;
+    gather_in(path, way, {begin, begin + length, radius, wide}, chance);
+
+    // By angle from a lamp, too, so that the light near one is no noise.
+    const auto lamp = lamp_near(pass_.scene, way.origin + way.direction * typical, numbers);
+    float distance = here;
+    float density = path.density(here) / chance;
+    if (lamp) {
+        const Equiangular by_angle(way, *lamp);
+        if (draws.y < 0.5) distance = by_angle.distance_at(static_cast<float>(2 * draws.y));
+        density = (path.density(distance) / chance + by_angle.density(distance)) / 2;
+    }
+    if (!(density > 0)) return;
+    grow_into(distance);
+    throughput_ *= path.scattered(distance) * (path.density(distance) / density);
+    scatter_in_medium(medium, way.origin + way.direction * distance, numbers);
+}
+
+/// Moves into a medium.
+void CameraPath::grow_into(float distance) {
+    grow_footprint(distance);
+    if (!has_hit_) first_footprint_ = footprint_;
+}
+
+/// Returns the radius of a pixel's disc at a distance of a way.
+float CameraPath::radius_after(const Ray& way, float distance) const {
+    CameraPath there(*this);
+    there.grow_into(distance);
+    return there.radius_at(way.origin + way.direction * distance);
+}
+
+/// Gathers photons in a piece of the ray. @param chance  of any piece.
+void CameraPath::gather_in(const FreeWay& path, const Ray& way, const Piece& piece, float chance) {
+    const float of_piece = path.chance_between(piece.begin, piece.end);
+    if (!(of_piece > 0)) return;  // a density that begins or ends here, by rounding
+    const float middle = (piece.begin + piece.end) / 2;
+    VisiblePoint point = new_point();
+    point.disc.position = way.origin + way.direction * middle;
+    point.disc.radius = std::max(piece.radius, radius_after(way, middle));
+    point.disc.indirect_radius_scale = piece.widening;
+    point.disc.normal = way.direction;
+    point.disc.half_length = (piece.end - piece.begin) / 2;
+    const bool sampled = pass_.transport.direct == DirectLight::sampled;
+    point.disc.kinds =
+        static_cast<std::uint8_t>((sampled ? kScatteredKinds : kAllKinds) << kKindsInMedia);
+    point.shading_normal = way.direction;
+    point.throughput *=
+        transmittance(pass_.scene.media[medium_], {way.origin, way.direction, piece.begin}) *
+        (chance / of_piece);
+    point.bsdf = pass_.scene.phase_of(medium_);
+    point.medium = medium_;
+    points_.push_back(point);
+}
+
+/// Adds direct light at a point of a medium, and what camera paths bring of other light.
+void CameraPath::scatter_in_medium(const SampledMedium& medium, const Vec3& position,
+                                   BatchPoints& numbers) {
+    const Hit here = point_in_medium(position);
+    const Bsdf phase = medium.phase;
+    const CameraVertex vertex{here,    Frame(here.normal), -direction_, phase,
+                              medium_, pass_.settings.ris};
+    const bool goes_beyond = pass_.transport.goes_beyond_diffuse();
+    if (pass_.transport.direct == DirectLight::sampled)
+        add_direct_light(vertex, numbers, !goes_beyond);
+    if (goes_beyond) go_beyond(vertex, numbers.branch());
+}
+
+}  // namespace sunfleck::engine
