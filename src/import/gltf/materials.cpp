@@ -4,7 +4,6 @@
 #include "import/gltf/glass.h"
 #include "import/gltf/units.h"
 #include "light/surface_image.h"
-#include "scene/absorption.h"
 #include "scene/additions.h"
 
 #include <algorithm>
@@ -139,10 +138,6 @@ const GltfLook& GltfMaterials::look_of(const JsonPlace& primitive, const GltfVer
     return looks_.emplace(key, std::move(look)).first->second;
 }
 
-MediumNumber GltfMaterials::medium_of(const Vec3d& absorption) {
-    return add_medium(scene_, Spectrum::rgb_unbounded(Vec3(absorption)));
-}
-
 BumpMap GltfMaterials::normal_map_of(const JsonPlace& material, const GltfVertices& vertices) {
     const auto slot = textures_.find(material, "normalTexture", TexelUse::linear, vertices);
     if (!slot) return {};
@@ -212,12 +207,7 @@ bool GltfMaterials::add_glass(const JsonPlace& material, const GltfPbr& pbr, Glt
     glass.is_rough = facets_of(pbr.roughness * mean_of(pbr.green), pbr.anisotropy).has_value();
     glass.colour = pbr.base;
     glass.has_texture = pbr.colour.has_value() || pbr.vertices.colours != nullptr;
-    if (const auto volume = material.extension("KHR_materials_volume")) {
-        glass.has_volume = volume->number("thicknessFactor", 0, 0, kMost) > 0;
-        const double distance = volume->number("attenuationDistance", kMost, 0, kMost);
-        const Vec3d colour = volume->triple("attenuationColor", Vec3d(1));
-        if (glass.has_volume && distance > 0) glass.absorption = absorption_over(distance, colour);
-    }
+    glass.volume = volume_of(material, scene_);
     look.material = mixed(DielectricMaterial{eta, roughness_of(pbr)});
     look.glass = glass;
     for (const char* name : {"KHR_materials_clearcoat", "KHR_materials_specular",
@@ -276,6 +266,7 @@ GltfLook GltfMaterials::made(const std::optional<JsonPlace>& material,
     const bool is_glass = material && add_glass(*material, pbr, surface, look);
     if (!is_glass) look.material = surface.add_opaque(pbr, material);
     if (!material) return look;
+    if (!is_glass) warn_of_scattering_left_out(*material, scene_);
     add_emission(*material, vertices, look);
     add_alpha(*material, pbr, look);
     if (const auto e = material->extension("KHR_materials_anisotropy"); e && pbr.anisotropy > 0) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "import/gltf/opaque.h"
+#include "import/gltf/volumes.h"
 #include "scene/import_settings.h"
 
 #include <cstdint>
@@ -29,8 +30,7 @@ struct GltfLook {
     struct Glass {
         std::uint32_t pane = 0;
         Vec3d colour{1};
-        Vec3d absorption{0};  // per metre, linear sRGB
-        bool has_volume = false;
+        GltfVolume volume{};
         bool has_texture = false;  // of its colour
         bool is_rough = false;
     };
@@ -51,9 +51,6 @@ public:
     /// Returns the look of a primitive: of its material, or glTF's default.
     /// @param vertices  of the primitive.
     const GltfLook& look_of(const JsonPlace& primitive, const GltfVertices& vertices);
-
-    /// Returns a medium that absorbs so much per metre. @param absorption  linear sRGB.
-    MediumNumber medium_of(const Vec3d& absorption);
 
 private:
     /// Number of a material, and the primitive if its vertices carry something; a text for all

@@ -22,7 +22,7 @@ namespace sunfleck::engine {
 namespace {
 
 /// Extensions that are read. Others are named in a warning, or refused where they are required.
-constexpr std::array<std::string_view, 21> kExtensions = {"EXT_lights_ies",
+constexpr std::array<std::string_view, 22> kExtensions = {"EXT_lights_ies",
                                                           "EXT_mesh_gpu_instancing",
                                                           "EXT_texture_webp",
                                                           "KHR_lights_punctual",
@@ -39,6 +39,7 @@ constexpr std::array<std::string_view, 21> kExtensions = {"EXT_lights_ies",
                                                           "KHR_materials_unlit",
                                                           "KHR_materials_variants",
                                                           "KHR_materials_volume",
+                                                          "KHR_materials_volume_scatter",
                                                           "KHR_mesh_primitive_restart",
                                                           "KHR_mesh_quantization",
                                                           "KHR_node_visibility",

@@ -117,6 +117,9 @@ ShapeDescription GltfShapes::pane_of(const Part& part, TriangleMesh mesh) {
     ++thin_glass_;
     if (part.look->glass->is_rough)
         scene_.warnings.add(part.where, "thin glass is smooth: its roughness is left out");
+    if (part.look->glass->volume.scattering != Vec3d(0))
+        scene_.warnings.add(part.where,
+                            "thin glass has no inside: its volume that scatters is left out");
     ShapeDescription shape = shape_of(part, std::move(mesh));
     shape.material = part.look->glass->pane;
     return shape;
@@ -126,14 +129,15 @@ ShapeDescription GltfShapes::pane_of(const Part& part, TriangleMesh mesh) {
 ShapeDescription GltfShapes::solid_of(const Part& part, TriangleMesh mesh, bool is_closed) {
     ++solid_glass_;
     const GltfLook::Glass& glass = *part.look->glass;
-    Vec3d absorption = glass.absorption;
+    GltfVolume volume = glass.volume;
     const double chord = is_closed ? mean_chord_of(mesh.positions, mesh.triangles) : 0;
-    if (chord > 0) absorption += absorption_over(chord, glass.colour);
+    if (chord > 0) volume.absorption += absorption_over(chord, glass.colour);
     if (chord > 0 && glass.has_texture)
         scene_.warnings.add(part.where,
                             "a texture of solid glass is left out: its factor alone colours it");
     ShapeDescription shape = shape_of(part, std::move(mesh));
-    if (absorption != Vec3d(0)) shape.media.inside = materials_.medium_of(absorption);
+    if (volume.absorption != Vec3d(0) || volume.scattering != Vec3d(0))
+        shape.media.inside = add_medium(scene_, volume);
     return shape;
 }
 

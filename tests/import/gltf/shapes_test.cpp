@@ -90,6 +90,40 @@ TEST_F(GltfShape, volumes_absorb_by_beers_law) {
     expect_same(scene.media.all.at(1).absorption, Spectrum::rgb_unbounded({red, green, 0}));
 }
 
+/// Half of the green is thrown back by a deep medium: 0.93652 of each event is scattered, where
+/// van de Hulst's s is 0.29712 and g is 0.3.
+TEST_F(GltfShape, volumes_scatter_what_attenuation_does_not_absorb) {
+    const SceneDescription scene =
+        read(glass(R"(,"KHR_materials_volume":{"thicknessFactor":1,"attenuationDistance":2,
+"attenuationColor":[1,0.25,1]},
+"KHR_materials_volume_scatter":{"multiscatterColor":[0,0.5,0],"scatterAnisotropy":0.3})"));
+    const Medium& medium = scene.media.all.at(1);
+    const auto red = static_cast<float>(std::log(2) / kChord);
+    const double green = std::log(4) / 2;
+    const auto scattered = static_cast<float>(green * 0.93652);
+    expect_same(medium.scattering, Spectrum::rgb_unbounded({0, scattered, 0}));
+    expect_same(medium.absorption,
+                Spectrum::rgb_unbounded({red, static_cast<float>(green) - scattered, 0}));
+    EXPECT_FLOAT_EQ(medium.g, 0.3F);
+    EXPECT_EQ(scene.shapes.at(0).media, (MediumSides{1, 0}));
+    EXPECT_FALSE(testing_support::warns(scene, "volume_scatter"));
+}
+
+/// A material that lets no light in, and a pane, which has no inside.
+TEST_F(GltfShape, volumes_that_scatter_in_vain_are_named) {
+    const std::string volume =
+        R"("KHR_materials_volume":{"thicknessFactor":1,"attenuationDistance":2,
+"attenuationColor":[0.5,0.5,0.5]},"KHR_materials_volume_scatter":{"multiscatterColor":[1,1,1]})";
+    const SceneDescription opaque =
+        read(R"("scenes":[{"nodes":[0]}],"nodes":[{"mesh":0}],"materials":[{"extensions":{)" +
+             volume + "}}]," + square_json(R"(,"material":0)"));
+    EXPECT_TRUE(testing_support::warns(opaque, "where KHR_materials_transmission lets no light"));
+    ImportSettings settings;
+    settings.glass = GlassRule::thin;
+    const SceneDescription pane = read_gltf(gltf(glass("," + volume)), settings);
+    EXPECT_TRUE(testing_support::warns(pane, "thin glass has no inside"));
+}
+
 TEST_F(GltfShape, a_mesh_of_several_nodes_is_one_object) {
     const SceneDescription scene = read(
         R"("scenes":[{"nodes":[0,1]}],"nodes":[{"mesh":0},{"mesh":0,"translation":[5,0,0]}],)" +
