@@ -12,6 +12,6 @@ inline constexpr float kPieceOverWideRadius = 4;
 /// Indirect light is smooth in media, and photons are few: its cylinders are up to so many times as
 /// wide, but less than this part of the distance before which half of the light is scattered.
 inline constexpr float kMostWidening = 16;
-inline constexpr float kPartOfDistance = 0.25F;
+inline constexpr float kPartOfDistance = 0.1F;
 
 }  // namespace sunfleck::engine

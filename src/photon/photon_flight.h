@@ -33,30 +33,23 @@ inline void move_on(float distance, PhotonState& state) {
     state.origin += Vec3d(state.direction) * static_cast<double>(distance);
 }
 
-/// Returns a photon that has no place yet.
-inline Photon photon_of(const PhotonState& state) {
-    Photon photon;
-    photon.w = -state.direction;
-    photon.bounces = state.bounces;
-    photon.kind = state.kind;
-    photon.light_group = state.light_group;
-    photon.flux = state.flux;
-    return photon;
-}
-
 inline Photon photon_at(const Hit& hit, const PhotonState& state) {
-    Photon photon = photon_of(state);
-    photon.position = hit.position;
-    photon.normal = hit.normal.dot(state.direction) > 0 ? -hit.normal : hit.normal;
-    return photon;
+    const Vec3 normal = hit.normal.dot(state.direction) > 0 ? -hit.normal : hit.normal;
+    return {hit.position, normal, -state.direction, state.bounces, state.kind, state.light_group,
+            false,        1,      state.flux};
 }
 
 /// Returns a photon at the origin of its next ray, which a medium scatters there.
 inline Photon photon_in_medium(const PhotonState& state) {
-    Photon photon = photon_of(state);
-    photon.position = Vec3(state.origin);
-    photon.in_medium = true;
-    return photon;
+    return {Vec3(state.origin),
+            Vec3(0),
+            -state.direction,
+            state.bounces,
+            state.kind,
+            state.light_group,
+            true,
+            1,
+            state.flux};
 }
 
 }  // namespace sunfleck::engine

@@ -115,7 +115,8 @@ Vec3 numbers_for(const Bsdf& bsdf, const Unit& unit) {
 /// @param before  sum of the flux before.
 /// @param after  the flux after.
 /// @param loss  factor of the loss.
-inline float share_kept(float before, const SampledSpectrum& after, const SampledSpectrum& loss) {
+[[gnu::always_inline]] inline float share_kept(float before, const SampledSpectrum& after,
+                                               const SampledSpectrum& loss) {
     return before > 0 ? after.sum() / before : loss.sum() / static_cast<float>(kWavelengths);
 }
 

@@ -17,7 +17,6 @@ struct alignas(32) DiscBlock {
     Floats radius{};
     Floats indirect_radius{};
     std::array<Floats, 3> normal{};
-    Floats half_length{};
     /// Bounces in the lower half; above them the kinds (none: unset places accept nothing), and
     /// whether the disc gathers on both sides.
     Integers rules{};
@@ -33,7 +32,6 @@ struct alignas(32) DiscBlock {
         }
         radius.at(i) = disc.radius;
         indirect_radius.at(i) = disc.radius_for(PhotonKind::indirect);
-        half_length.at(i) = disc.half_length;
         rules.at(i) = disc.bounces | disc.kinds << kKindsFrom | (disc.both_sides ? kBothSides : 0);
     }
 };

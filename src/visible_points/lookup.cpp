@@ -116,27 +116,29 @@ HWY_INLINE Vectors ways_to(const Photon& photon, const DiscBlock& discs, std::si
 
 /// Returns a mask: bit i is set if cylinder i accepts a photon of a medium. Names are those of
 /// is_in_cylinder().
-HWY_INLINE unsigned accepting_cylinders(const DiscBlock& discs, const Photon& photon,
-                                        int max_depth) {
+HWY_INLINE unsigned accepting_cylinders(const VisiblePointIndex& index, std::size_t block,
+                                        const Photon& photon) {
+    const DiscBlock& discs = index.discs(block);
+    const DiscBlock::Floats& half_lengths = index.half_lengths(block);
     unsigned bits = 0;
     for (std::size_t i = 0; i < 8; i += kAtOnce) {
         const Vectors d = ways_to(photon, discs, i);
         const Vector radius = radii_for(discs, photon.kind, i);
         const Vector above = dot(d, load(discs.normal, i));
-        const Mask beside = hn::Lt(hn::Abs(above), load(discs.half_length, i));
+        const Mask beside = hn::Lt(hn::Abs(above), load(half_lengths, i));
         const Mask within =
             hn::Lt(hn::Sub(dot(d, d), hn::Mul(above, above)), hn::Mul(radius, radius));
-        const Mask taken =
-            hn::And(hn::And(beside, within),
-                    accept(discs, photon, max_depth, hn::MaskFromVec(hn::Zero(Floats())), i));
+        const Mask taken = hn::And(
+            hn::And(beside, within),
+            accept(discs, photon, index.max_depth(), hn::MaskFromVec(hn::Zero(Floats())), i));
         bits |= bits_of(taken, i);
     }
     return bits;
 }
 
-/// Returns a mask: bit i is set if kernel i accepts the photon. Names are those of is_in_disc().
-HWY_INLINE unsigned accepting(const DiscBlock& discs, const Photon& photon, int max_depth) {
-    if (photon.in_medium) return accepting_cylinders(discs, photon, max_depth);
+/// Returns a mask: bit i is set if disc i accepts a photon of a surface. Names are those of
+/// is_in_disc().
+HWY_INLINE unsigned accepting_discs(const DiscBlock& discs, const Photon& photon, int max_depth) {
     unsigned bits = 0;
     for (std::size_t i = 0; i < 8; i += kAtOnce) {
         const Vectors d = ways_to(photon, discs, i);
@@ -162,6 +164,13 @@ HWY_INLINE unsigned accepting(const DiscBlock& discs, const Photon& photon, int 
         bits |= bits_of(taken, i);
     }
     return bits;
+}
+
+/// Returns a mask: bit i is set if kernel i of the block accepts the photon.
+HWY_INLINE unsigned accepting(const VisiblePointIndex& index, std::size_t block,
+                              const Photon& photon) {
+    if (!photon.in_medium) return accepting_discs(index.discs(block), photon, index.max_depth());
+    return index.has_cylinders() ? accepting_cylinders(index, block, photon) : 0;
 }
 
 /// Writes the indices of the bits of `met`, counted from `first`. It writes eight, of which the
@@ -202,12 +211,11 @@ HWY_INLINE TakenPhotons::Block list_taken(const VisiblePointIndex& index,
                                           std::size_t first, TakenPhotons& taken) {
     const std::size_t count = list_near(index, photons, block, taken);
     if (first + count > taken.list.size()) taken.list.resize(2 * first + count);
-    const DiscBlock& discs = index.discs(block);
     std::size_t end = first;
     std::uint32_t accepting_of_any = 0;
     for (std::size_t n = 0; n < count; ++n) {
         const std::uint32_t i = taken.near[n];
-        const unsigned by = accepting(discs, photons[i], index.max_depth());
+        const unsigned by = accepting(index, block, photons[i]);
         taken.list[end] = {i, by};
         end += by != 0 ? 1 : 0;
         accepting_of_any |= by;
@@ -239,9 +247,8 @@ bool is_any_taken(const VisiblePointIndex& index, std::span<const Photon> path) 
         if (!index.may_accept(photon)) continue;
         const Box place{photon.position, photon.position};
         const auto near = [&](const BoxNode& node) HWY_ATTR { return touched(node, place); };
-        const auto go_on = [&](std::uint32_t block) HWY_ATTR {
-            return accepting(index.discs(block), photon, index.max_depth()) == 0;
-        };
+        const auto go_on = [&](std::uint32_t block)
+                               HWY_ATTR { return accepting(index, block, photon) == 0; };
         if (index.around(photon.kind).tree.visit(near, go_on)) return true;
     }
     return false;

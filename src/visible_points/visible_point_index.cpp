@@ -104,6 +104,7 @@ VisiblePointIndex::VisiblePointIndex(VisiblePointLists lists, int max_depth)
     const Whole whole = whole_of(lists);
     if (whole.points == 0) return;
     kinds_ = whole.kinds;
+    const bool has_cylinders = kinds_ >> kKindsInMedia != 0;
     grid_ = MortonGrid(whole.box.low, whole.box.high);
     const MortonKeys order = in_order(lists, grid_);
     const std::vector<std::uint8_t> pixels = shared_pixels(lists, whole.last_pixel);
@@ -113,6 +114,7 @@ VisiblePointIndex::VisiblePointIndex(VisiblePointLists lists, int max_depth)
     std::vector<Box> all(blocks_.size());
     plain_.resize(blocks_.size());
     need_sight_.resize(blocks_.size());
+    if (has_cylinders) half_lengths_.resize(blocks_.size());
     static_assert(kBlock % kWidth == 0);
     parallel_blocks(order.size(), kBlock, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
@@ -124,6 +126,7 @@ VisiblePointIndex::VisiblePointIndex(VisiblePointLists lists, int max_depth)
             if (points_[i].needs_sight) need_sight_[i / kWidth] |= bit;
             blocks_[i / kWidth].set(i % kWidth, points_[i].disc);
             const Disc& disc = points_[i].disc;
+            if (has_cylinders) half_lengths_[i / kWidth].values[i % kWidth] = disc.half_length;
             usual[i / kWidth].extend(box_of(disc, disc.usual_radius()));
             all[i / kWidth].extend(box_of(disc, disc.widest_radius()));
         }
@@ -134,7 +137,7 @@ VisiblePointIndex::VisiblePointIndex(VisiblePointLists lists, int max_depth)
 
 std::size_t VisiblePointIndex::bytes() const {
     return points_.size() * sizeof(VisiblePoint) + blocks_.size() * sizeof(DiscBlock) +
-           usual_.bytes() + all_.bytes();
+           half_lengths_.size() * sizeof(HalfLengths) + usual_.bytes() + all_.bytes();
 }
 
 }  // namespace sunfleck::engine

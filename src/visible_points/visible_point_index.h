@@ -41,6 +41,11 @@ public:
     static constexpr std::size_t kWidth = DiscBlock::kWidth;
     std::size_t block_count() const { return blocks_.size(); }
     const DiscBlock& discs(std::size_t b) const { return blocks_[b]; }
+    /// Returns whether any point is in a medium.
+    bool has_cylinders() const { return !half_lengths_.empty(); }
+    /// Returns the half lengths of the cylinders of a block. They stand apart, for most pictures
+    /// have none.
+    const DiscBlock::Floats& half_lengths(std::size_t b) const { return half_lengths_[b].values; }
     /// Returns a mask: bit i is set if point 8 b + i is Lambertian and its shading normal is the
     /// geometric one, on either side. Its light is the photons' flux.
     unsigned plain(std::size_t b) const { return plain_[b]; }
@@ -68,7 +73,11 @@ private:
     MortonGrid grid_;
     UnfilledVector<VisiblePoint> points_;  // in Morton order
     UnfilledVector<DiscBlock> blocks_;     // in the same order: the data of a query
-    std::vector<std::uint8_t> plain_;      // a bit per point of a block
+    struct alignas(32) HalfLengths {
+        DiscBlock::Floats values{};
+    };
+    std::vector<HalfLengths> half_lengths_;  // by block; empty if no point is in a medium
+    std::vector<std::uint8_t> plain_;        // a bit per point of a block
     std::vector<std::uint8_t> need_sight_;
     BlockBoxes usual_;  // around accepted photons, long specular chains aside
     BlockBoxes all_;

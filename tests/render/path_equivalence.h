@@ -64,4 +64,17 @@ inline void expect_equivalent(const Scene& scene, const Effort& effort) {
            effort.photon_tolerance);
 }
 
+/// Rough metal and a slab of rough glass on a floor, under a lamp and a constant sky.
+inline Scene rough_objects(const std::string& look, double fov) {
+    return scene_of(
+        view(look, fov, kSize) + "LightSource \"infinite\" \"rgb L\" [0.5 0.6 0.7]\n" +
+        diffuse("0.5 0.5 0.5") + quad("-1.6 -1.6 0  1.6 -1.6 0  1.6 1.6 0  -1.6 1.6 0") +
+        "Material \"conductor\" \"float roughness\" 0.5 \"bool remaproughness\" false\n" +
+        quad("-1.6 .6 0  -.1 .6 0  -.1 1 1.7  -1.6 1 1.7") +
+        "Material \"dielectric\" \"float roughness\" 0.6 \"bool remaproughness\" false\n" +
+        box({0.1, -0.7, 0.3}, {1.1, 0.5, 0.5}) +
+        "AreaLightSource \"diffuse\" \"rgb L\" [3 3 3]\nReverseOrientation\n" +
+        diffuse("0.5 0.5 0.5") + quad("-.8 -.8 1.9  .8 -.8 1.9  .8 .8 1.9  -.8 .8 1.9"));
+}
+
 }  // namespace sunfleck::engine::testing_support

@@ -1,4 +1,5 @@
-// Photon mapping against path tracing under varnish: within 1%, with 99% confidence.
+// Photon mapping against path tracing under varnish and on rough glass: within 1%, with 99%
+// confidence; within 4% where photons bring all light to rough glass.
 #include "render/path_equivalence.h"
 
 namespace sunfleck::engine {
@@ -20,6 +21,25 @@ TEST(PathEquivalence, varnish_on_a_diffuse_wall) {
             diffuse("0.5 0.5 0.5") + quad("-.8 -1.6 2.5  .8 -1.6 2.5  .8 0 2.5  -.8 0 2.5"));
         expect_equivalent(scene, {90, 45, 120, 0.01, 0.01});
     }
+}
+
+TEST(PathEquivalence, rough_glass) {
+    expect_equivalent(rough_objects("0.6 -.1 1.7  .6 -.1 .5  0 1 0", 30),
+                      {160, 26, 30, 0.01, 0.04});
+}
+
+/// A room full of mist that scatters red light most, and forward.
+TEST(PathEquivalence, room_full_of_coloured_mist) {
+    const Scene scene = scene_of(
+        "MakeNamedMedium \"mist\" \"string type\" \"homogeneous\" \"rgb sigma_s\" [0.6 0.4 0.2] "
+        "\"rgb sigma_a\" [0.02 0.05 0.1] \"float g\" 0.5\nMediumInterface \"\" \"mist\"\n" +
+        view("0 -.9 1  0 1 .9  0 0 1", 60, kSize) + diffuse("0.6 0.6 0.6") +
+        quad("-1 1 0  1 1 0  1 1 2  -1 1 2") + quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0") +
+        quad("-1 -1 2  -1 1 2  1 1 2  1 -1 2") + quad("-1 -1 0  -1 1 0  -1 1 2  -1 -1 2") +
+        quad("1 -1 0  1 -1 2  1 1 2  1 1 0") + quad("-1 -1 0  -1 -1 2  1 -1 2  1 -1 0") +
+        "AreaLightSource \"diffuse\" \"rgb L\" [10 9 7]\nReverseOrientation\n" +
+        quad("-.4 -.2 1.9  .4 -.2 1.9  .4 .6 1.9  -.4 .6 1.9"));
+    expect_equivalent(scene, {300, 30, 40, 0.01, 0.03});
 }
 
 }  // namespace
