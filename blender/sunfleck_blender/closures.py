@@ -34,6 +34,10 @@ class Closure:
     emission: Any = None
     tint: Any = None  # Blender's colour of glass: what one crossing leaves
 
+    def is_nothing(self):
+        """Returns whether it is neither seen nor felt."""
+        return is_flat(self.alpha, 0) and self.emission is None
+
 
 NOTHING = Closure(alpha=flat(0))
 BLACK = Plain("diffuse", {"reflectance": flat(0)})

@@ -19,7 +19,7 @@ class Written:
     name: str
     alpha: dict = field(default_factory=dict)  # the shape's parameter
     emission: dict = field(default_factory=dict)  # parameters of the area light
-    absorbs: np.ndarray = field(default_factory=lambda: np.zeros(3))
+    volume: volumes.Volume = volumes.EMPTY  # below the surface
     tint: object = None
     lets_through: bool = False
     nothing: bool = False  # neither seen nor felt
@@ -61,7 +61,7 @@ class MaterialBook:
         return self._written[key]
 
     def reading(self, material):
-        """Returns (closure, bend of the whole, absorption) of a material, read once."""
+        """Returns (closure, bend of the whole, Volume) of a material, read once."""
         key = _name(material)
         if key not in self._read:
             self._read[key] = self._new_reading(material)
@@ -73,24 +73,26 @@ class MaterialBook:
 
     def _new_reading(self, material):
         if material is None:
-            return Closure(Plain("diffuse", {"reflectance": flat(0.8)})), None, volumes.NONE
+            return Closure(Plain("diffuse", {"reflectance": flat(0.8)})), None, volumes.EMPTY
         if not material.use_nodes or material.node_tree is None:
             colour = flat(*material.diffuse_color[:3])
-            return Closure(Plain("diffuse", {"reflectance": colour})), None, volumes.NONE
+            return Closure(Plain("diffuse", {"reflectance": colour})), None, volumes.EMPTY
         missing = self.missing(material)
         tree = material.node_tree
         output = tree.get_output_node("CYCLES") or tree.get_output_node("ALL")
         if output is None:
-            return Closure(BLACK), None, volumes.NONE
+            return Closure(BLACK), None, volumes.EMPTY
         reader = ShaderReader(TextureReader(self.images, missing), missing)
-        absorbed = volumes.absorption(reader, output.inputs["Volume"])
+        volume = volumes.volume_of(reader, output.inputs["Volume"])
         if not output.inputs["Surface"].is_linked and output.inputs["Volume"].is_linked:
-            return Closure(Plain("interface")), None, absorbed
+            return Closure(Plain("interface")), None, volume
         closure = reader.closure(output.inputs["Surface"])
-        return closure, bends.displacement(reader, output.inputs["Displacement"]), absorbed
+        if closure.is_nothing() and not volume.is_empty():
+            return Closure(Plain("interface")), None, volume
+        return closure, bends.displacement(reader, output.inputs["Displacement"]), volume
 
     def _write(self, material, key, frame):
-        closure, bend, absorbed = self.reading(material)
+        closure, bend, volume = self.reading(material)
         base = (_name(material) or "no material")
         name = base if key[1] is None else f"{base} on {key[1]}"
         own = getattr(material, "sunfleck", None)
@@ -108,9 +110,9 @@ class MaterialBook:
         return Written(
             name, alpha=self._alpha(closure, textures),
             emission=self._emission(closure.emission, textures, missing),
-            absorbs=absorbed if through else volumes.NONE,
+            volume=volume if through else volumes.EMPTY,
             tint=closure.tint if through else None, lets_through=through,
-            nothing=is_flat(closure.alpha, 0) and closure.emission is None,
+            nothing=closure.is_nothing(),
             uv_layer=textures.layer, uv_base=textures.base,
             needs_uv=any(planes(value) for value in others + fixed) or _anisotropic(closure))
 

@@ -7,7 +7,7 @@ import numpy as np
 
 from . import export_lights, export_mesh, geometry, volumes
 from .matrices import is_usable, matrix_of, scale_of
-from .scene_text import columns
+from .scene_text import columns, quoted
 
 TO_MESH = ("SURFACE", "META")  # not meshes of their own in the evaluated scene of some versions
 LEFT_OUT = {"VOLUME": "volumes", "POINTCLOUD": "point clouds", "CURVES": "hair curves",
@@ -28,12 +28,16 @@ class Placed:
 
 
 class Objects:
-    """The objects of one evaluated scene. `progress` is called with texts and may raise."""
+    """The objects of one evaluated scene. `progress` is called with texts and may raise.
 
-    def __init__(self, text, folder, book, warn, progress):
+    air: the name of the medium around them, or "".
+    """
+
+    def __init__(self, text, folder, book, air, warn, progress):
         self.text = text
         self.folder = folder
         self.book = book
+        self.air = air
         self.warn = warn
         self.progress = progress
         self.meshes = []
@@ -62,6 +66,10 @@ class Objects:
             if not is_usable(matrix):
                 self.warn(f'light "{name}" has no extent along an axis, or no place: left out')
                 return
+            if self.air and found.data.type == "SUN":
+                self.warn(f'light "{name}" is infinitely far, and does not get through the '
+                          "volume of the world: left out")
+                return
             export_lights.write_light(
                 self.text, self.book.images, name, found.data, matrix,
                 getattr(getattr(found.data, "sunfleck", None), "seen", True), self.warn)
@@ -75,6 +83,9 @@ class Objects:
         if any(s.settings.type == "HAIR" and s.settings.render_type == "PATH"
                for s in getattr(found, "particle_systems", ())) and not instance.is_instance:
             self.warn(f'object "{name}": strands of hair are not read')
+        if any(m.type == "FLUID" and m.fluid_type == "DOMAIN"
+               for m in getattr(found, "modifiers", ())):
+            self.warn(f'object "{name}": smoke is not read: its volume is one density throughout')
         if not is_usable(matrix):
             self.warn(f'object "{name}" has no extent along an axis: left out')
             return
@@ -192,20 +203,20 @@ class Objects:
             return ""
         positions, faces = self.meshes[one.mesh].closed_part(slots)
         closed = geometry.is_closed(faces)
-        absorbs = written.absorbs
+        volume = written.volume
         if not closed:
-            self.warn(f'object "{one.name}" is of glass, but not closed: light that enters it '
-                      "does not leave (close it, or make its material thin glass)")
+            self.warn(f'object "{one.name}" is of glass or full of a medium, but not closed: '
+                      "light that enters it does not leave (close it, or make its material thin "
+                      "glass)")
         if written.tint is not None and closed:
             chord = geometry.mean_chord(positions, faces) * scale_of(one.matrix)
-            absorbs = absorbs + volumes.absorption_of_tint(written.tint, chord)
+            volume = volume.absorbing(volumes.absorption_of_tint(written.tint, chord))
         elif written.tint is not None:
             self.warn(f'object "{one.name}": the colour of glass that is not closed is left out')
-        if not np.any(absorbs > 0):
+        if volume.is_empty():
             return ""
         name = f"inside {written.name} of {one.name}"
-        self.text.say("MakeNamedMedium", name, {
-            "string type": "homogeneous", "rgb sigma_a": absorbs, "rgb sigma_s": (0, 0, 0)})
+        volume.write(self.text, name)
         return name
 
     def _shapes(self, one, materials):
@@ -218,8 +229,8 @@ class Objects:
                 continue
             self.text.begin()
             self.text.say("NamedMaterial", written.name)
-            if medium:
-                self.text.say("MediumInterface", medium, rest='""')
+            if medium or (self.air and written.lets_through):
+                self.text.say("MediumInterface", medium, rest=quoted(self.air))
             if written.emission:
                 both = not outward(arrays, materials)
                 self.text.light(one.name, "AreaLightSource", "diffuse",

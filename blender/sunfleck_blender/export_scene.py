@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from .export_camera import region, write_camera
 from .export_materials import MaterialBook
 from .export_objects import Objects
-from .export_world import write_world
+from .export_world import write_air, write_world
 from .image_files import ImageFiles
 from .scene_text import SceneText
 
@@ -45,13 +45,14 @@ def export_scene(depsgraph, folder, resolve, max_depth, warn, progress=lambda te
     name_missing(scene.render, warn_once)
     text = SceneText()
     camera = scene.camera.evaluated_get(depsgraph) if scene.camera else None
+    images = ImageFiles(folder, resolve)
+    air = write_air(text, scene.world, images, warn_once)
     write_camera(text, scene, camera, "picture.exr", warn_once)
     text.say("Integrator", "sppm", {"integer maxdepth": max_depth})
     text.say("WorldBegin")
-    images = ImageFiles(folder, resolve)
-    write_world(text, folder, scene.world, images, warn_once)
+    write_world(text, folder, scene.world, images, air, warn_once)
     book = MaterialBook(text, images, warn_once)
-    objects = Objects(text, folder, book, warn_once, progress)
+    objects = Objects(text, folder, book, air, warn_once, progress)
     objects.collect(depsgraph)
     objects.write()
     file = os.path.join(folder, "scene.pbrt")

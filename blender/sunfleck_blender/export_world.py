@@ -1,32 +1,60 @@
-"""Writes Blender's world as an infinite light: a colour, or a picture of all directions."""
+"""Writes Blender's world: a medium, and an infinite light of a colour or a picture."""
 
 import numpy as np
 
 from . import picture_files, skies, sky_maps
 from .mappings import coordinates
+from .scene_text import quoted
+from .shaders import ShaderReader
 from .sockets import socket, source
 from .textures import TextureReader
 from .values import Flat, combine, flat, number
+from .volumes import volume_of
 
 MAP_SIZES = (512, 1024, 2048)
 
 
-def write_world(text, folder, world, images, warn):
-    """Writes the world's light. images: image_files.ImageFiles."""
+def write_air(text, world, images, warn):
+    """Writes the medium that fills the world, if any, around all that follows.
+
+    Returns its name, or an empty one.
+    """
+    if world is None or not world.use_nodes or world.node_tree is None:
+        return ""
+    output = world.node_tree.get_output_node("CYCLES") or world.node_tree.get_output_node("ALL")
+    if output is None:
+        return ""
+
+    def missing(what):
+        warn(f'world "{world.name}": {what}')
+    volume = volume_of(ShaderReader(TextureReader(images, missing), missing),
+                       output.inputs["Volume"])
+    if volume.is_empty():
+        return ""
+    name = f"air of {world.name}"
+    text.about(f"world {world.name}")
+    volume.write(text, name)
+    text.say("MediumInterface", name, rest=quoted(name))
+    return name
+
+
+def write_world(text, folder, world, images, air, warn):
+    """Writes the world's light, which air keeps out. images: image_files.ImageFiles."""
     if world is None:
         return
 
     def missing(what):
         warn(f'world "{world.name}": {what}')
     text.about(f"world {world.name}")
+    if air:
+        missing("its light comes from infinitely far, and does not get through its volume")
+        return
     if not world.use_nodes or world.node_tree is None:
         _even(text, world.name, np.array(world.color[:3]))
         return
     output = world.node_tree.get_output_node("CYCLES") or world.node_tree.get_output_node("ALL")
     if output is None:
         return
-    if output.inputs["Volume"].is_linked:
-        missing("a volume that fills the world: left out")
     reader = TextureReader(images, missing)
     radiance = _radiance(reader, output.inputs["Surface"], ())
     if isinstance(radiance, Daylight):

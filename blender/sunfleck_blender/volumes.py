@@ -1,46 +1,126 @@
-"""Reads what a volume absorbs from its nodes: Volume Absorption, and what of others we have."""
+"""Reads media from volume nodes: what they absorb and scatter per unit of length."""
+
+from dataclasses import dataclass, field
 
 import numpy as np
 
 from .sockets import socket, source
-from .values import number
+from .values import LUMA, is_flat, number
 
 NONE = np.zeros(3)
+MOST_BENT = 0.999
 
 
-def absorption(reader, found, groups=()):
-    """Returns what is absorbed per unit of length (three numbers) by a Volume input's nodes."""
+@dataclass(frozen=True)
+class Volume:
+    """A medium of constant density. Rows of three numbers, linear sRGB, per unit of length."""
+    absorbs: np.ndarray = field(default_factory=lambda: NONE)
+    scatters: np.ndarray = field(default_factory=lambda: NONE)
+    bend: float = 0.0  # mean cosine of the angle by which light is bent, Blender's anisotropy
+
+    def is_empty(self):
+        return not (np.any(self.absorbs > 0) or np.any(self.scatters > 0))
+
+    def times(self, share):
+        return Volume(share * self.absorbs, share * self.scatters, self.bend)
+
+    def plus(self, other, missing):
+        """Returns both at once; two phase functions become one of their mean cosine."""
+        ours, theirs = self.scatters @ LUMA, other.scatters @ LUMA
+        bend = self.bend if ours > 0 else other.bend
+        if ours > 0 and theirs > 0 and self.bend != other.bend:
+            missing("two anisotropies in one volume: their mean counts")
+            bend = (ours * self.bend + theirs * other.bend) / (ours + theirs)
+        return Volume(self.absorbs + other.absorbs, self.scatters + other.scatters, bend)
+
+    def absorbing(self, more):
+        """Returns this volume absorbing more, per unit of length."""
+        return Volume(self.absorbs + more, self.scatters, self.bend)
+
+    def write(self, text, name):
+        text.say("MakeNamedMedium", name, {
+            "string type": "homogeneous", "rgb sigma_a": self.absorbs,
+            "rgb sigma_s": self.scatters, "float g": self.bend})
+
+
+EMPTY = Volume()
+
+
+def volume_of(reader, found, groups=()):
+    """Returns the Volume of a Volume input's nodes. reader: ShaderReader."""
     origin = source(found, groups) if found is not None else None
     if origin is None or origin[0].type == "UNLINKED":
-        return NONE
+        return EMPTY
     node, _, groups = origin
-    if node.type == "VOLUME_ABSORPTION":
-        colour = np.clip(_mean(reader, node, "colour", groups), 0, 1)
-        return (1 - colour) * max(number(reader.value(node, "density", groups)), 0)
-    if node.type == "PRINCIPLED_VOLUME":
-        reader.missing("a volume scatters: what it absorbs is rendered, scattering is not yet")
-        colour = np.clip(_mean(reader, node, "Color", groups), 0, 1)
-        tint = np.clip(_mean(reader, node, "Absorption Color", groups), 0, 1)
-        density = max(number(reader.value(node, "density", groups)), 0)
-        # Cycles: what is not scattered, less where the square root of the tint is high.
-        return np.maximum(1 - colour, 0) * np.maximum(1 - np.sqrt(tint), 0) * density
-    if node.type == "ADD_SHADER":
-        return (absorption(reader, node.inputs[0], groups)
-                + absorption(reader, node.inputs[1], groups))
-    if node.type == "MIX_SHADER":
-        share = min(max(number(reader.textures.value(node.inputs[0], groups)), 0), 1)
-        return ((1 - share) * absorption(reader, node.inputs[1], groups)
-                + share * absorption(reader, node.inputs[2], groups))
-    reader.missing(f'volume node "{node.bl_label}": left out, media that scatter are not'
-                   " simulated yet")
-    return NONE
+    read = READERS.get(node.type)
+    if read is None:
+        reader.missing(f'volume node "{node.bl_label}": left out')
+        return EMPTY
+    return read(reader, node, groups)
 
 
-def _mean(reader, node, name, groups):
+def _absorption(reader, node, groups):
+    colour = np.minimum(_colour(reader, node, "colour", groups), 1)
+    return Volume(absorbs=(1 - colour) * _density(reader, node, groups))
+
+
+def _scatter(reader, node, groups):
+    if getattr(node, "phase", "HENYEY_GREENSTEIN") != "HENYEY_GREENSTEIN":
+        reader.missing("the phase function of a volume: that of Henyey and Greenstein is used")
+    colour = _colour(reader, node, "colour", groups)
+    return Volume(scatters=colour * _density(reader, node, groups),
+                  bend=_bend(reader, node, groups))
+
+
+def _principled(reader, node, groups):
+    for name in ("Emission Strength", "Blackbody Intensity"):
+        if socket(node, name) is not None and reader.number(node, name, groups) > 0:
+            reader.missing("emission of a volume: left out")
+    colour = _colour(reader, node, "colour", groups)
+    tint = _colour(reader, node, "Absorption Color", groups)
+    density = _density(reader, node, groups)
+    # Cycles: what is not scattered, less where the square root of the tint is high.
+    absorbs = np.maximum(1 - colour, 0) * np.maximum(1 - np.sqrt(tint), 0)
+    return Volume(absorbs * density, colour * density, _bend(reader, node, groups))
+
+
+def _sum(reader, node, groups):
+    first, second = (volume_of(reader, found, groups) for found in node.inputs[:2])
+    return first.plus(second, reader.missing)
+
+
+def _mix(reader, node, groups):
+    share = min(max(number(reader.textures.value(node.inputs[0], groups)), 0), 1)
+    first, second = (volume_of(reader, found, groups) for found in node.inputs[1:3])
+    return first.times(1 - share).plus(second.times(share), reader.missing)
+
+
+def _emission(reader, node, groups):
+    reader.missing("emission of a volume: left out")
+    return EMPTY
+
+
+READERS = {"VOLUME_ABSORPTION": _absorption, "VOLUME_SCATTER": _scatter,
+           "PRINCIPLED_VOLUME": _principled, "ADD_SHADER": _sum, "MIX_SHADER": _mix,
+           "EMISSION": _emission}
+
+
+def _colour(reader, node, name, groups):
     found = socket(node, name)
     if found is None:
         return NONE
-    return reader.textures.value(found, groups).mean()
+    value = reader.textures.value(found, groups)
+    if not is_flat(value):
+        reader.missing("texture of a volume's colour: its mean counts")
+    return np.maximum(value.mean(), 0)
+
+
+def _density(reader, node, groups):
+    return max(reader.number(node, "density", groups), 0)
+
+
+def _bend(reader, node, groups):
+    return min(max(reader.number(node, "anisotropic", groups), -MOST_BENT), MOST_BENT)
 
 
 def absorption_of_tint(tint, chord):

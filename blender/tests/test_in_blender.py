@@ -39,6 +39,22 @@ def material(name, kind="ShaderNodeBsdfDiffuse", **inputs):
     return made, tree, shader
 
 
+def fill_world(kind=None, strength=0, **inputs):
+    """Gives the scene a white world, full of a volume where one is named."""
+    world = bpy.data.worlds.new("World")
+    world.use_nodes = True
+    tree = world.node_tree
+    background = next(n for n in tree.nodes if n.type == "BACKGROUND")
+    background.inputs["Color"].default_value = (1, 1, 1, 1)
+    background.inputs["Strength"].default_value = strength
+    if kind:
+        volume = tree.nodes.new(kind)
+        for key, value in inputs.items():
+            volume.inputs[key].default_value = value
+        tree.links.new(volume.outputs[0], tree.nodes["World Output"].inputs["Volume"])
+    bpy.context.scene.world = world
+
+
 class Case(unittest.TestCase):
     def setUp(self):
         bpy.ops.wm.read_factory_settings(use_empty=True)
@@ -258,6 +274,60 @@ class Materials(Case):
         self.assertAlmostEqual(float(sigma[1]), -2 * math.log(0.5) / (4 / 3), places=4)
         self.assertAlmostEqual(float(sigma[2]), 1.5, places=4)
 
+    def full_cube(self, kind="ShaderNodeVolumeScatter", surface=None, **inputs):
+        """Adds a cube of 2 full of a volume; returns the volume's node."""
+        made, tree, _ = material("Full", surface or "ShaderNodeBsdfTransparent")
+        output = next(n for n in tree.nodes if n.type == "OUTPUT_MATERIAL")
+        if surface is None:
+            tree.links.remove(output.inputs["Surface"].links[0])
+        volume = tree.nodes.new(kind)
+        for key, value in inputs.items():
+            volume.inputs[key.replace("_", " ")].default_value = value
+        tree.links.new(volume.outputs[0], output.inputs["Volume"])
+        bpy.ops.mesh.primitive_cube_add(size=2)
+        bpy.context.object.data.materials.append(made)
+        return volume
+
+    def test_volumes_that_scatter_fill_meshes_with_and_without_a_surface(self):
+        for surface in (None, "ShaderNodeBsdfTransparent", "ShaderNodeBsdfGlass"):
+            self.full_cube("ShaderNodeVolumePrincipled", surface, Color=(0.5, 0.5, 1, 1),
+                           Density=3, Anisotropy=-0.2, Absorption_Color=(0, 0.25, 0, 1))
+            text, _ = self.export()
+            self.assertIn('"rgb sigma_a" [ 1.5 0.75 0 ] "rgb sigma_s" [ 1.5 1.5 3 ] '
+                          '"float g" [ -0.200000003 ]', text)
+            self.assertIn('MediumInterface "inside Full of Cube" ""', text)
+            self.assertEqual('"interface"' in text, surface != "ShaderNodeBsdfGlass")
+            self.assertEqual(self.warnings, [])
+            bpy.data.objects.remove(bpy.context.object)
+            bpy.data.materials.remove(bpy.data.materials["Full"])
+
+    def test_emission_of_a_volume_is_named_once(self):
+        self.full_cube("ShaderNodeVolumePrincipled", Emission_Strength=1)
+        bpy.ops.object.duplicate()
+        self.export()
+        self.assertEqual(self.warnings, ['material "Full": emission of a volume: left out'])
+
+    def test_a_volume_of_the_world_surrounds_all(self):
+        fill_world("ShaderNodeVolumeScatter", Color=(1, 0.5, 0, 1), Density=0.5)
+        self.full_cube(surface="ShaderNodeBsdfGlass", Density=3)
+        made, _, _ = material("Clear", "ShaderNodeBsdfGlass")
+        bpy.ops.mesh.primitive_cube_add(location=(5, 0, 0))
+        bpy.context.object.data.materials.append(made)
+        text, _ = self.export()
+        self.assertIn('"rgb sigma_s" [ 0.5 0.25 0 ]', text)
+        first = text.index('MediumInterface "air of World" "air of World"')
+        self.assertLess(first, text.index("Camera "))
+        self.assertIn('MediumInterface "inside Full of Cube" "air of World"', text)
+        self.assertIn('MediumInterface "" "air of World"', text)
+
+    def test_light_from_infinitely_far_does_not_get_through_the_air(self):
+        fill_world("ShaderNodeVolumeScatter", strength=1)
+        sun = bpy.data.lights.new("Sun", "SUN")
+        bpy.context.scene.collection.objects.link(bpy.data.objects.new("Sun", sun))
+        text, _ = self.export()
+        self.assertNotIn("LightSource", text)
+        self.assertEqual(len([w for w in self.warnings if "infinitely far" in w]), 2)
+
     def test_glasses_and_metals_by_name_have_their_indices(self):
         for name, kind in (("diamond", "Glass"), ("glass-BK7", "Glass"), ("metal-Au", "Glossy")):
             made, _, _ = material(name, f"ShaderNodeBsdf{kind}")
@@ -314,6 +384,22 @@ class Renders(Case):
         pixels = self.render(2)
         np.testing.assert_allclose(pixels[..., :3], 2 * 0.8 / math.pi, rtol=0.01)
         np.testing.assert_array_equal(pixels[..., 3], 1)
+
+    def test_what_scatters_all_is_unseen_where_light_is_even(self):
+        fill_world(strength=1)
+        Materials.full_cube(self, Color=(1, 1, 1, 1), Density=1.5, Anisotropy=0.3)
+        bpy.context.object.scale = (2, 2, 2)
+        pixels = self.render(32)
+        np.testing.assert_allclose(pixels[8:16, 12:20, :3].mean(), 1, atol=0.03)
+
+    def test_the_air_of_the_world_absorbs_on_the_way_to_the_camera(self):
+        fill_world("ShaderNodeVolumeAbsorption", Color=(0, 0, 0, 1), Density=0.1)
+        made, _, _ = material("Lamp", "ShaderNodeEmission", Strength=2)
+        bpy.ops.mesh.primitive_plane_add(size=40)
+        bpy.context.object.data.materials.append(made)
+        pixels = self.render(4)
+        # The camera is 10 above the plane.
+        np.testing.assert_allclose(pixels[11:13, 15:17, :3], 2 * math.exp(-1), rtol=0.01)
 
     def test_a_region_is_rendered_alone(self):
         self.sunlit_plane()

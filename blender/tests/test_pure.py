@@ -15,7 +15,7 @@ sys.path.insert(0, os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 
 from sunfleck_blender import (bends, coats, colour_nodes, export_camera, geometry, image_files,
                               mappings, picture_files, ply, program, scene_text, skies,
-                              sky_maps, texture_text, units, values)
+                              sky_maps, texture_text, units, values, volumes)
 from sunfleck_blender.closures import BLACK, NOTHING, Closure, Plain, add_closures, mix_closures
 
 CUBE = (np.array([(x, y, z) for z in (0, 1) for y in (0, 1) for x in (0, 1)], float),
@@ -234,6 +234,91 @@ class Closures(unittest.TestCase):
         self.assertAlmostEqual(coats.entering(1, 0, 1.5), 0.96)
         self.assertAlmostEqual(coats.entering(1, 0.01, 1.5), 0.96, delta=1e-3)
         self.assertLess(coats.entering(1, 0.8, 1.5), 0.94)
+
+
+class Socket(SimpleNamespace):
+    """A socket of a node, of a value or linked to a node."""
+    def __init__(self, value=None, node=None):
+        links = [SimpleNamespace(from_node=node, from_socket=None)] if node else []
+        super().__init__(value=value, is_linked=node is not None, links=links)
+
+
+class Sockets(dict):
+    def __getitem__(self, key):
+        return list(self.values())[key]
+
+
+def volume_node(kind, **inputs):
+    return SimpleNamespace(type=kind, mute=False, bl_label=kind, inputs=Sockets(
+        {name.replace("_", " "): Socket(value) for name, value in inputs.items()}))
+
+
+class VolumeReader:
+    """Stands for ShaderReader: values are those of the sockets."""
+    def __init__(self):
+        self.said = []
+        self.missing = self.said.append
+        self.textures = self
+
+    def value(self, found, groups):
+        return values.flat(*np.atleast_1d(found.value))
+
+    def number(self, node, name, groups):
+        return values.number(self.value(volumes.socket(node, name), groups))
+
+
+class Volumes(unittest.TestCase):
+    """Coefficients by Blender's manual and Cycles' node_principled_volume.osl."""
+    def read(self, node):
+        self.reader = VolumeReader()
+        return volumes.volume_of(self.reader, Socket(node=node))
+
+    def check(self, node, absorbs, scatters, bend):
+        volume = self.read(node)
+        np.testing.assert_allclose(volume.absorbs, absorbs, atol=1e-12)
+        np.testing.assert_allclose(volume.scatters, scatters, atol=1e-12)
+        self.assertAlmostEqual(volume.bend, bend)
+
+    SCATTER = {"Color": (0.2, 0.5, 1.5), "Density": 2, "Anisotropy": 0.4}
+    PRINCIPLED = {"Color": (0.5, 0.5, 1), "Density": 3, "Anisotropy": -0.2,
+                  "Absorption_Color": (0, 0.25, 0)}
+
+    def test_scatter_is_colour_times_density(self):
+        self.check(volume_node("VOLUME_SCATTER", **self.SCATTER), 0, (0.4, 1, 3), 0.4)
+
+    def test_absorption_is_what_is_missing_to_white(self):
+        self.check(volume_node("VOLUME_ABSORPTION", Color=(0.2, 0.5, 1.5), Density=2),
+                   (1.6, 1, 0), 0, 0)
+
+    def test_principled_absorbs_part_of_what_it_does_not_scatter(self):
+        node = volume_node("PRINCIPLED_VOLUME", **self.PRINCIPLED)
+        self.check(node, (1.5, 0.75, 0), (1.5, 1.5, 3), -0.2)
+        self.assertEqual(self.reader.said, [])
+
+    def test_sums_have_both_and_a_mean_phase_function(self):
+        parts = [volume_node("VOLUME_SCATTER", Color=1, Density=density, Anisotropy=g)
+                 for density, g in ((3, 0.5), (1, -0.1))]
+        both = volume_node("ADD_SHADER")
+        both.inputs = [Socket(node=part) for part in parts]
+        self.check(both, 0, 4, (3 * 0.5 - 0.1) / 4)
+        self.assertEqual(len(self.reader.said), 1)
+        both.inputs[1] = Socket(node=volume_node("VOLUME_ABSORPTION", Color=0, Density=2))
+        self.check(both, 2, 3, 0.5)
+        self.assertEqual(self.reader.said, [])
+
+    def test_mixes_have_shares(self):
+        mix = volume_node("MIX_SHADER")
+        mix.inputs = [Socket(0.25), Socket(node=volume_node("VOLUME_SCATTER", **self.SCATTER)),
+                      Socket(node=volume_node("VOLUME_ABSORPTION", Color=0, Density=2))]
+        self.check(mix, 0.5, (0.3, 0.75, 2.25), 0.4)
+
+    def test_emission_and_what_is_not_known_are_named(self):
+        self.read(volume_node("PRINCIPLED_VOLUME", **self.PRINCIPLED, Emission_Strength=1))
+        self.assertEqual(self.reader.said, ["emission of a volume: left out"])
+        self.assertTrue(self.read(volume_node("EMISSION")).is_empty())
+        self.assertEqual(self.reader.said, ["emission of a volume: left out"])
+        self.assertTrue(self.read(volume_node("HOLDOUT")).is_empty())
+        self.assertIn("HOLDOUT", self.reader.said[0])
 
 
 class Text(unittest.TestCase):
