@@ -1,6 +1,12 @@
 // The medium of fog, and who is in it.
 #include "import/fog.h"
 
+#include "scene/additions.h"
+#include "scene/camera_view.h"
+#include "scene/framing.h"
+
+#include <algorithm>
+
 namespace sunfleck::engine {
 namespace {
 
@@ -34,6 +40,21 @@ private:
     MediumNumber fog_;
 };
 
+/// Ends the fog at a sphere around all shapes and the camera: nothing of a sun or a sky would come
+/// through fog without end.
+void add_border(SceneDescription& scene, MediumNumber fog) {
+    Bounds all = bounds_of_scene(scene);
+    all.extend(CameraView{scene.camera, scene.film.resolution}.middle_ray().origin);
+    const double radius = std::max(1.2 * all.radius(), 1e-6);
+    Matrix to_world;
+    to_world.setTranslation(all.center());
+    ShapeDescription border;
+    border.placed = {Sphere{radius, -radius, radius}, to_world};
+    border.material = add_material(scene, InterfaceMaterial{});
+    border.media = {fog, 0};
+    scene.shapes.push_back(std::move(border));
+}
+
 }  // namespace
 
 void fill_with_fog(SceneDescription& scene, const Fog& fog) {
@@ -44,12 +65,15 @@ void fill_with_fog(SceneDescription& scene, const Fog& fog) {
     Media& media = scene.media;
     media.all.push_back({constant(events * (1 - fog.albedo)), constant(events * fog.albedo),
                          static_cast<float>(fog.g)});
-    const Filler filler(scene.materials, static_cast<MediumNumber>(media.all.size() - 1));
+    const auto number = static_cast<MediumNumber>(media.all.size() - 1);
+    const Filler filler(scene.materials, number);
     filler.fill(media.at_camera);
     media.at_lights.resize(scene.lights.size());
     for (MediumSides& sides : media.at_lights) filler.fill(sides);
     filler.fill(scene.shapes);
     for (std::vector<ShapeDescription>& object : scene.objects) filler.fill(object);
+    if (std::any_of(scene.lights.begin(), scene.lights.end(), comes_from_afar))
+        add_border(scene, number);
 }
 
 }  // namespace sunfleck::engine

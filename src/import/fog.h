@@ -12,7 +12,8 @@ struct Fog {
     double g = 0;       // mean cosine of the angle by which they bend
 };
 
-/// Fills all space that names no medium, but for the inside of solid glass.
+/// Fills all space that names no medium, but for the inside of solid glass. Where light comes from
+/// afar the fog ends at a sphere around the scene.
 void fill_with_fog(SceneDescription& scene, const Fog& fog);
 
 }  // namespace sunfleck::engine

@@ -112,6 +112,8 @@ TEST_F(SceneFlags, fill_the_air_with_fog) {
         EXPECT_NEAR(filled.at(i) / foggy.at(i), 1, 1e-4) << i;
     EXPECT_EQ(clear.at(0), 0);
     EXPECT_GT(foggy.at(0), 0);
+    // A sky shines through fog that ends.
+    EXPECT_GT(values({"clear.pbrt", "--sun", "225,40", "--fog", "4"}).at(0), 100 * foggy.at(0));
 }
 
 TEST_F(SceneFlags, that_mean_nothing_are_refused) {
