@@ -43,7 +43,9 @@ private:
     /// What a medium does to a path on its way to a hit.
     enum class Crossing { passed, scattered, ended };
     Crossing cross_medium(std::optional<Hit>& hit, BatchPoints& numbers);
-    Crossing fly_beyond(const SampledMedium& medium, std::optional<Hit>& hit, BatchPoints& numbers);
+    Crossing fly_beyond(const SampledMedium& medium, const Ray& way, std::optional<Hit>& hit,
+                        BatchPoints& numbers);
+    CameraVertex vertex_in_medium(const Vec3& position, const Bsdf& phase) const;
     void look_into(const SampledMedium& medium, const Ray& way, BatchPoints numbers);
     void grow_into(float distance);
     float radius_after(const Ray& way, float distance) const;

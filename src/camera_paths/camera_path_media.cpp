@@ -38,18 +38,20 @@ float widening(float radius, float typical) {
     return std::clamp(kPartOfDistance * typical / radius, 1.0F, kMostWidening);
 }
 
-Ray way_to(const Vec3& from, const Vec3& direction, const std::optional<Hit>& hit) {
-    return {from, direction, hit ? hit->distance : kInfinity};
-}
-
 }  // namespace
+
+/// Returns the vertex of the path at a point of its medium. @param phase  must outlive it.
+CameraVertex CameraPath::vertex_in_medium(const Vec3& position, const Bsdf& phase) const {
+    const Hit here = point_in_medium(position);
+    return {here, Frame(here.normal), -direction_, phase, medium_, pass_.settings.ris};
+}
 
 /// @param hit  what the ray hits, if anything; the next one if the path is scattered.
 CameraPath::Crossing CameraPath::cross_medium(std::optional<Hit>& hit, BatchPoints& numbers) {
     const SampledMedium& medium = pass_.scene.media[medium_];
-    const Ray way = way_to(from_, direction_, hit);
+    const Ray way{from_, direction_, hit ? hit->distance : kInfinity};
     if (medium.scatters) {
-        if (beyond_) return fly_beyond(medium, hit, numbers);
+        if (beyond_) return fly_beyond(medium, way, hit, numbers);
         if (bounces_ < pass_.transport.max_depth)
             CameraPath(*this).look_into(medium, way, numbers.branch());
     }
@@ -58,21 +60,18 @@ CameraPath::Crossing CameraPath::cross_medium(std::optional<Hit>& hit, BatchPoin
 }
 
 /// After the first vertex that gathers, a path is scattered or passes.
-CameraPath::Crossing CameraPath::fly_beyond(const SampledMedium& medium, std::optional<Hit>& hit,
-                                            BatchPoints& numbers) {
-    const Ray way = way_to(from_, direction_, hit);
+CameraPath::Crossing CameraPath::fly_beyond(const SampledMedium& medium, const Ray& way,
+                                            std::optional<Hit>& hit, BatchPoints& numbers) {
     const Flight flight = fly(medium, way, throughput_, static_cast<float>(numbers.next()));
     throughput_ *= flight.weight;
     if (!flight.is_scattered) return Crossing::passed;
     if (bounces_ >= pass_.transport.max_depth) return Crossing::ended;
     grow_footprint(flight.distance);
-    const Hit here = point_in_medium(way.origin + direction_ * flight.distance);
     const Bsdf phase = medium.phase;
-    const CameraVertex vertex{here,    Frame(here.normal), -direction_, phase,
-                              medium_, pass_.settings.ris};
+    const CameraVertex vertex = vertex_in_medium(way.origin + direction_ * flight.distance, phase);
     add_direct_light(vertex, numbers, false);
     if (!scatter(vertex, numbers)) return Crossing::ended;
-    hit = pass_.scene.scene.geometry().intersect(ray_beyond(here));
+    hit = pass_.scene.scene.geometry().intersect(ray_beyond(vertex.hit));
     return Crossing::scattered;
 }
 
@@ -95,16 +94,16 @@ void CameraPath::look_into(const SampledMedium& medium, const Ray& way, BatchPoi
 
     // By angle from a lamp, too, so that the light near one is no noise.
     const auto lamp = lamp_near(pass_.scene, way.origin + way.direction * typical, numbers);
-    float distance = here;
-    float density = path.density(here) / chance;
-    if (lamp) {
-        const Equiangular by_angle(way, *lamp);
-        if (draws.y < 0.5) distance = by_angle.distance_at(static_cast<float>(2 * draws.y));
-        density = (path.density(distance) / chance + by_angle.density(distance)) / 2;
-    }
+    std::optional<Equiangular> by_angle;
+    if (lamp) by_angle.emplace(way, *lamp);
+    const float distance =
+        by_angle && draws.y < 0.5 ? by_angle->distance_at(static_cast<float>(2 * draws.y)) : here;
+    const float free = path.density(distance);
+    float density = free / chance;
+    if (by_angle) density = (density + by_angle->density(distance)) / 2;
     if (!(density > 0)) return;
     grow_into(distance);
-    throughput_ *= path.scattered(distance) * (path.density(distance) / density);
+    throughput_ *= path.scattered(distance) * (free / density);
     scatter_in_medium(medium, way.origin + way.direction * distance, numbers);
 }
 
@@ -137,7 +136,7 @@ void CameraPath::gather_in(const FreeWay& path, const Ray& way, const Piece& pie
         static_cast<std::uint8_t>((sampled ? kScatteredKinds : kAllKinds) << kKindsInMedia);
     point.shading_normal = way.direction;
     point.throughput *=
-        transmittance(pass_.scene.media[medium_], {way.origin, way.direction, piece.begin}) *
+        pass_.scene.transmittance(medium_, {way.origin, way.direction, piece.begin}) *
         (chance / of_piece);
     point.bsdf = pass_.scene.phase_of(medium_);
     point.medium = medium_;
@@ -147,10 +146,8 @@ void CameraPath::gather_in(const FreeWay& path, const Ray& way, const Piece& pie
 /// Adds direct light at a point of a medium, and what camera paths bring of other light.
 void CameraPath::scatter_in_medium(const SampledMedium& medium, const Vec3& position,
                                    BatchPoints& numbers) {
-    const Hit here = point_in_medium(position);
     const Bsdf phase = medium.phase;
-    const CameraVertex vertex{here,    Frame(here.normal), -direction_, phase,
-                              medium_, pass_.settings.ris};
+    const CameraVertex vertex = vertex_in_medium(position, phase);
     const bool goes_beyond = pass_.transport.goes_beyond_diffuse();
     if (pass_.transport.direct == DirectLight::sampled)
         add_direct_light(vertex, numbers, !goes_beyond);

@@ -77,25 +77,32 @@ TEST(SpotLight, power_is_the_integral_of_the_falloff) {
 
 /// The share of photons inside each cosine is the integral of the falloff: to rounding, not noise.
 /// Along a line of dimensions from the middle, the disc's radius squared is that share.
-TEST(SpotLight, directions_are_exact_quantiles) {
+/// @param outside  the integral of the falloff from the rim to t, for an edge of width one.
+template <class Integral>
+void expect_exact_quantiles(SpotEdge kind, const Integral& outside) {
     for (const auto& [start, total] :
          {std::pair(0.9, 0.5), {1.0, -0.3}, {0.6, 0.6}, {1.0, 0.999}, {0.99999, 0.99998}}) {
-        const SpotLight light = spot(start, total);
+        const SpotLight light = spot(start, total, kind);
         const double edge = start - total;
         for (int i = 1; i < 4000; ++i) {
             const double r = i / 4000.0;
             const Emission e = light.sample_emission({0.1, 0.2, (1 + r) / 2, 0.5}, {});
             const double c = -e.direction.z;
             const double t = edge > 0 ? std::min((c - total) / edge, 1.0) : 1;
-            const double outside = edge * (t * t * t - t * t * t * t / 2);
-            const double inside = 1 - start + edge / 2 - outside;
-            const double share = (c >= start ? 1 - c : inside) / (1 - start + edge / 2);
+            const double whole = edge * outside(1.0);
+            const double inside = 1 - start + whole - edge * outside(t);
+            const double share = (c >= start ? 1 - c : inside) / (1 - start + whole);
             // One unit in the last place of the cosine is 1e-16 / edge of the share.
             ASSERT_NEAR(share, r * r, 1e-14 + 1e-15 / (1 - total)) << start << " " << total;
             EXPECT_EQ(e.factor, light.power({}));
             EXPECT_EQ(e.origin, light.position);
         }
     }
+}
+
+TEST(SpotLight, directions_are_exact_quantiles) {
+    expect_exact_quantiles(SpotEdge::smoothstep,
+                           [](double t) { return t * t * t - t * t * t * t / 2; });
 }
 
 /// Dimensions that end near the rim of the cone: the quartic's root to the last of its digits.
@@ -112,22 +119,8 @@ TEST(SpotLight, the_rim_is_reached_and_never_passed) {
     }
 }
 
-/// As for the smoothstep, with t^3 / 3 for the integral from the outside.
 TEST(SpotLight, directions_are_exact_quantiles_of_the_square) {
-    for (const auto& [start, total] :
-         {std::pair(0.9, 0.5), {1.0, -0.3}, {0.6, 0.6}, {1.0, 0.999}, {0.99999, 0.99998}}) {
-        const SpotLight light = spot(start, total, SpotEdge::square);
-        const double edge = start - total;
-        for (int i = 1; i < 4000; ++i) {
-            const double r = i / 4000.0;
-            const Emission e = light.sample_emission({0.1, 0.2, (1 + r) / 2, 0.5}, {});
-            const double c = -e.direction.z;
-            const double t = edge > 0 ? std::min((c - total) / edge, 1.0) : 1;
-            const double inside = 1 - start + edge / 3 * (1 - t * t * t);
-            const double share = (c >= start ? 1 - c : inside) / (1 - start + edge / 3);
-            ASSERT_NEAR(share, r * r, 1e-14 + 1e-15 / (1 - total)) << start << " " << total;
-        }
-    }
+    expect_exact_quantiles(SpotEdge::square, [](double t) { return t * t * t / 3; });
 }
 
 TEST(SpotLight, directions_move_gently_with_their_dimensions) {
