@@ -3,10 +3,12 @@
 
 #include "aovs/transport.h"
 #include "camera/pixel_window.h"
+#include "camera_paths/direct_in_media.h"
 #include "camera_paths/settings.h"
 #include "random_numbers/batch_points.h"
 #include "scene/pass_scene.h"
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -38,6 +40,9 @@ struct CameraPass {
         sunfleck::engine::indirect_radius_scale(settings, scene.scene.film().resolution));
     std::span<const std::uint8_t> log2_samples = {};  // Log2Samples
     std::span<const Edge> edges = {};  // EdgePixels; all discs are probed if it is empty
+    /// Nothing: light samples bring all light that comes straight from lights to media.
+    std::optional<DirectInMedia> direct_in_media = {};
+    std::span<Lit> lit = {};  // by pixel, to be set; unless it is empty
     /// The rays of each pixel's paths are added here, unless it is empty.
     std::span<std::uint64_t> rays = {};
     int cells = 1;  // if above 1, only the chosen pixels of PixelCells with this side have paths

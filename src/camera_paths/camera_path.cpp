@@ -153,7 +153,8 @@ void CameraPath::add_light(const SampledSpectrum& radiance, float weight, Aov ow
 }
 
 /// @param follow  trace a bsdf sample for MIS (a path that continues needs none).
-void CameraPath::add_direct_light(const CameraVertex& vertex, BatchPoints& numbers, bool follow) {
+/// @return whether any light arrives.
+bool CameraPath::add_direct_light(const CameraVertex& vertex, BatchPoints& numbers, bool follow) {
     const PassScene& pass = pass_.scene;
     const Vec2d choices = numbers.next_2d();
     SampledSpectrum light = sample_lights(pass, vertex, {choices.x, numbers.next_2d(), choices.y},
@@ -167,8 +168,9 @@ void CameraPath::add_direct_light(const CameraVertex& vertex, BatchPoints& numbe
         if (const auto drawn = sample(vertex.bsdf, vertex.wo, draw))
             light += follow_bsdf_sample(pass, vertex, *drawn, statistics_, wanted_contributions());
     }
-    if (light.is_zero()) return;
+    if (light.is_zero()) return false;
     add_light(light, 1, rough_ > 0 ? Aov::indirect : Aov::direct);
+    return true;
 }
 
 bool CameraPath::scatter(const CameraVertex& vertex, BatchPoints& numbers) {

@@ -49,14 +49,25 @@ private:
     void look_into(const SampledMedium& medium, const Ray& way, BatchPoints numbers);
     void grow_into(float distance);
     float radius_after(const Ray& way, float distance) const;
+    /// The equal pieces of a way, in each of which photons may count.
+    struct Pieces {
+        float length;
+        float chance;    // of one, nearly: the same for all
+        float radius;    // at the least
+        float widening;  // of that, for indirect light
+    };
+    Pieces pieces_of(const Ray& way, float typical) const;
     /// A part of a way, by distances.
     struct Piece {
         float begin;
         float end;
-        float radius;    // at the least
+        float radius;
         float widening;  // of that, for indirect light
     };
-    void gather_in(const FreeWay& path, const Ray& way, const Piece& piece, float chance);
+    Piece piece_at(const Ray& way, const Pieces& pieces, float distance) const;
+    float photon_share(const Pieces& pieces, const Piece& piece) const;
+    void gather_in(const FreeWay& path, const Ray& way, const Piece& piece, float chance,
+                   float share);
     void scatter_in_medium(const SampledMedium& medium, const Vec3& position, BatchPoints& numbers);
     bool interact(Hit& hit, BatchPoints& numbers);
     void go_beyond(const CameraVertex& vertex, BatchPoints numbers);
@@ -72,7 +83,7 @@ private:
     void add_features(const Hit& hit, const SampledSpectrum& reflectance);
     void gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds);
     VisiblePoint new_point() const;
-    void add_direct_light(const CameraVertex& vertex, BatchPoints& numbers, bool follow);
+    bool add_direct_light(const CameraVertex& vertex, BatchPoints& numbers, bool follow);
     bool scatter(const CameraVertex& vertex, BatchPoints& numbers);
     /// Continues by one bsdf sample as a branch with weight `share`. @return whether it does.
     bool take(const CameraVertex& vertex, const BsdfSampleInput& draw, float share,

@@ -27,12 +27,6 @@ std::optional<Vec3> lamp_near(const PassScene& pass, const Vec3& place, BatchPoi
     return place + sample->direction * sample->distance;
 }
 
-/// Returns the length of the equal pieces of a way.
-float piece_length(const Ray& way, float radius, float wide) {
-    const float length = radius * std::max(kPieceOverRadius, kPieceOverWideRadius * wide);
-    return way.length < kInfinity ? way.length / std::ceil(way.length / length) : length;
-}
-
 /// Returns the radius for indirect light over the other one. @param typical  a distance.
 float widening(float radius, float typical) {
     return std::clamp(kPartOfDistance * typical / radius, 1.0F, kMostWidening);
@@ -86,11 +80,9 @@ void CameraPath::look_into(const SampledMedium& medium, const Ray& way, BatchPoi
     // Half of the light comes from nearer. Pieces must not depend on what is drawn, and near the
     // eye, where a pixel is narrow, they hold no photon.
     const float typical = path.distance_at(chance / 2);
-    const float radius = radius_after(way, typical);
-    const float wide = widening(radius, typical);
-    const float length = piece_length(way, radius, wide);
-    const float begin = std::floor(here / length) * length;
-    gather_in(path, way, {begin, begin + length, radius, wide}, chance);
+    const Pieces pieces = pieces_of(way, typical);
+    const Piece piece = piece_at(way, pieces, here);
+    gather_in(path, way, piece, chance, photon_share(pieces, piece));
 
     // By angle from a lamp, too, so that the light near one is no noise.
     const auto lamp = lamp_near(pass_.scene, way.origin + way.direction * typical, numbers);
@@ -102,9 +94,36 @@ void CameraPath::look_into(const SampledMedium& medium, const Ray& way, BatchPoi
     float density = free / chance;
     if (by_angle) density = (density + by_angle->density(distance)) / 2;
     if (!(density > 0)) return;
+    // Camera paths that go on have no share of photons.
+    const float share = 1 - photon_share(pieces, piece_at(way, pieces, distance));
     grow_into(distance);
-    throughput_ *= path.scattered(distance) * (free / density);
+    throughput_ *= path.scattered(distance) * (free / density * share);
     scatter_in_medium(medium, way.origin + way.direction * distance, numbers);
+}
+
+/// @param typical  the distance before which half of the light is scattered.
+CameraPath::Pieces CameraPath::pieces_of(const Ray& way, float typical) const {
+    const float radius = radius_after(way, typical);
+    const float wide = widening(radius, typical);
+    float length = radius * std::max(kPieceOverRadius, kPieceOverWideRadius * wide);
+    if (way.length < kInfinity) length = way.length / std::ceil(way.length / length);
+    return {length, std::min(1.0F, length / (2 * typical)), radius, wide};
+}
+
+CameraPath::Piece CameraPath::piece_at(const Ray& way, const Pieces& pieces, float distance) const {
+    const float begin = std::floor(distance / pieces.length) * pieces.length;
+    const float radius = std::max(pieces.radius, radius_after(way, begin + pieces.length / 2));
+    return {begin, begin + pieces.length, radius, pieces.widening};
+}
+
+/// Returns what photons bring of the light that comes straight from lights to a piece; light
+/// samples bring the rest.
+float CameraPath::photon_share(const Pieces& pieces, const Piece& piece) const {
+    if (pass_.transport.direct == DirectLight::photons) return 1;
+    if (!pass_.direct_in_media) return 0;
+    const float volume = kPi * piece.radius * piece.radius * pieces.length;
+    return share_of_photons(pass_.direct_in_media->lit, pass_.direct_in_media->photons * volume,
+                            pieces.chance);
 }
 
 /// Moves into a medium.
@@ -120,20 +139,24 @@ float CameraPath::radius_after(const Ray& way, float distance) const {
     return there.radius_at(way.origin + way.direction * distance);
 }
 
-/// Gathers photons in a piece of the ray. @param chance  of any piece.
-void CameraPath::gather_in(const FreeWay& path, const Ray& way, const Piece& piece, float chance) {
+/// Gathers photons in a piece of the ray. @param chance  of any piece. @param share  of photons in
+/// light that comes straight from lights.
+void CameraPath::gather_in(const FreeWay& path, const Ray& way, const Piece& piece, float chance,
+                           float share) {
     const float of_piece = path.chance_between(piece.begin, piece.end);
     if (!(of_piece > 0)) return;  // a density that begins or ends here, by rounding
     const float middle = (piece.begin + piece.end) / 2;
     VisiblePoint point = new_point();
     point.disc.position = way.origin + way.direction * middle;
-    point.disc.radius = std::max(piece.radius, radius_after(way, middle));
+    point.disc.radius = piece.radius;
     point.disc.indirect_radius_scale = piece.widening;
     point.disc.normal = way.direction;
     point.disc.half_length = (piece.end - piece.begin) / 2;
-    const bool sampled = pass_.transport.direct == DirectLight::sampled;
+    const bool all =
+        pass_.transport.direct == DirectLight::photons || pass_.direct_in_media.has_value();
     point.disc.kinds =
-        static_cast<std::uint8_t>((sampled ? kScatteredKinds : kAllKinds) << kKindsInMedia);
+        static_cast<std::uint8_t>((all ? kAllKinds : kScatteredKinds) << kKindsInMedia);
+    point.photon_share = share;
     point.shading_normal = way.direction;
     point.throughput *=
         pass_.scene.transmittance(medium_, {way.origin, way.direction, piece.begin}) *
@@ -149,8 +172,10 @@ void CameraPath::scatter_in_medium(const SampledMedium& medium, const Vec3& posi
     const Bsdf phase = medium.phase;
     const CameraVertex vertex = vertex_in_medium(position, phase);
     const bool goes_beyond = pass_.transport.goes_beyond_diffuse();
-    if (pass_.transport.direct == DirectLight::sampled)
-        add_direct_light(vertex, numbers, !goes_beyond);
+    if (pass_.transport.direct == DirectLight::sampled) {
+        const bool is_lit = add_direct_light(vertex, numbers, !goes_beyond);
+        if (!pass_.lit.empty()) pass_.lit[pixel_] = is_lit ? Lit::lit : Lit::dark;
+    }
     if (goes_beyond) go_beyond(vertex, numbers.branch());
 }
 

@@ -1,4 +1,4 @@
-// Probes are short rays through a disc, along its normal.
+// Probes are short rays: through a disc along its normal, from the axis of a cylinder across.
 #include "camera_paths/edge_probes.h"
 
 #include "camera_paths/edge_tuning.h"
@@ -15,13 +15,14 @@ public:
 
     void probe(VisiblePoint& point) {
         Disc disc = point.disc;
+        if (probes_ == Probes::none && !disc.is_in_medium()) return;
         disc.bounces = 0;
         found_hidden_ = false;
         if (disc.is_probed_for(PhotonKind::direct))
             point.disc_over_surface = disc_over_surface(disc, PhotonKind::direct);
         if (disc.is_probed_for(PhotonKind::indirect))
             point.indirect_disc_over_surface = disc_over_surface(disc, PhotonKind::indirect);
-        point.needs_sight = probes_ == Probes::of_sight || found_hidden_;
+        point.needs_sight = (probes_ == Probes::of_sight && !disc.is_in_medium()) || found_hidden_;
     }
 
 private:
@@ -53,15 +54,39 @@ private:
     /// Probes two opposite points of a disc: of a straight edge's disc, one always has surface.
     /// @return the share of them that has.
     float probe_pair(const Disc& disc, PhotonKind kind, Met& all) {
-        const Vec2d u = concentric_disc({stream_.next(), stream_.next()});
-        const Frame frame(disc.normal);
-        const Vec3 way = (frame.x * static_cast<float>(u.x) + frame.y * static_cast<float>(u.y)) *
-                         disc.radius_for(kind);
+        const Vec3 way = random_way(disc, kind);
+        if (disc.is_in_medium()) return probe_pair_of_cylinder(disc, way, all);
         float met = 0;
         for (const Vec3& at : {disc.position + way, disc.position - way}) {
             const float cosine = cosine_at(at, disc, kind);
             if (!(cosine > 0)) continue;
             all.cosines += cosine;
+            ++all.probes;
+            met += 0.5F;
+        }
+        return met;
+    }
+
+    /// Returns a way from the middle of a disc to a random point of it.
+    Vec3 random_way(const Disc& disc, PhotonKind kind) {
+        const Vec2d u = concentric_disc({stream_.next(), stream_.next()});
+        const Frame frame(disc.normal);
+        return (frame.x * static_cast<float>(u.x) + frame.y * static_cast<float>(u.y)) *
+               disc.radius_for(kind);
+    }
+
+    /// Probes two opposite points at a random place of the axis. @return the share of them that
+    /// the axis sees.
+    float probe_pair_of_cylinder(const Disc& cylinder, const Vec3& way, Met& all) {
+        const auto along = static_cast<float>(2 * stream_.next() - 1) * cylinder.half_length;
+        const Vec3 middle = cylinder.position + cylinder.normal * along;
+        float met = 0;
+        for (const Vec3& at : {middle + way, middle - way}) {
+            if (!axis_sees(pass_.scene.geometry(), cylinder, at)) {
+                found_hidden_ = true;
+                continue;
+            }
+            ++all.cosines;
             ++all.probes;
             met += 0.5F;
         }

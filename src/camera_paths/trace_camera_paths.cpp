@@ -8,16 +8,18 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Probes the discs of a pixel. @param points  of a block, the pixel's from `first` on.
+/// Returns how to probe the discs of a pixel.
+Probes probes_of(std::span<const Edge> edges, std::size_t pixel) {
+    if (edges.empty()) return Probes::of_trial;
+    if (edges[pixel] == Edge::none) return Probes::none;
+    return edges[pixel] == Edge::of_sight ? Probes::of_sight : Probes::of_surface;
+}
+
+/// Probes the kernels of a pixel. @param points  of a block, the pixel's from `first` on.
 void probe(const CameraPass& pass, std::size_t pixel, std::vector<VisiblePoint>& points,
            std::size_t first) {
     if (!pass.settings.edges || first == points.size()) return;
-    Probes probes = Probes::of_trial;
-    if (!pass.edges.empty()) {
-        if (pass.edges[pixel] == Edge::none) return;
-        probes = pass.edges[pixel] == Edge::of_sight ? Probes::of_sight : Probes::of_surface;
-    }
-    probe_edges(pass.scene, std::span(points).subspan(first), probes,
+    probe_edges(pass.scene, std::span(points).subspan(first), probes_of(pass.edges, pixel),
                 pass.id.stream(Purpose::edge_probe, pixel));
 }
 

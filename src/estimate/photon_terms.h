@@ -66,7 +66,8 @@ inline SampledSpectrum share_of(const VisiblePoint& point, PhotonKind kind, floa
     if (point.disc.is_probed_for(kind))
         surface /= kind == PhotonKind::indirect ? point.indirect_disc_over_surface
                                                 : point.disc_over_surface;
-    return point.throughput * (1 / (static_cast<float>(paths) * surface));
+    const float share = kind == PhotonKind::direct ? point.photon_share : 1;
+    return point.throughput * (share / (static_cast<float>(paths) * surface));
 }
 
 /// Returns the AOV of the light that a photon of this kind brings to this point.

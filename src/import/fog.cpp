@@ -1,14 +1,15 @@
 // The medium of fog, and who is in it.
 #include "import/fog.h"
 
-#include "scene/additions.h"
-#include "scene/camera_view.h"
-#include "scene/framing.h"
+#include "import/medium_border.h"
 
 #include <algorithm>
 
 namespace sunfleck::engine {
 namespace {
+
+/// Where fog ends, before light that comes from afar.
+constexpr double kFogOverRadius = 1.2;
 
 /// Puts fog in place of empty space.
 class Filler {
@@ -40,21 +41,6 @@ private:
     MediumNumber fog_;
 };
 
-/// Ends the fog at a sphere around all shapes and the camera: nothing of a sun or a sky would come
-/// through fog without end.
-void add_border(SceneDescription& scene, MediumNumber fog) {
-    Bounds all = bounds_of_scene(scene);
-    all.extend(CameraView{scene.camera, scene.film.resolution}.middle_ray().origin);
-    const double radius = std::max(1.2 * all.radius(), 1e-6);
-    Matrix to_world;
-    to_world.setTranslation(all.center());
-    ShapeDescription border;
-    border.placed = {Sphere{radius, -radius, radius}, to_world};
-    border.material = add_material(scene, InterfaceMaterial{});
-    border.media = {fog, 0};
-    scene.shapes.push_back(std::move(border));
-}
-
 }  // namespace
 
 void fill_with_fog(SceneDescription& scene, const Fog& fog) {
@@ -73,7 +59,7 @@ void fill_with_fog(SceneDescription& scene, const Fog& fog) {
     filler.fill(scene.shapes);
     for (std::vector<ShapeDescription>& object : scene.objects) filler.fill(object);
     if (std::any_of(scene.lights.begin(), scene.lights.end(), comes_from_afar))
-        add_border(scene, number);
+        end_at_sphere(scene, number, kFogOverRadius);
 }
 
 }  // namespace sunfleck::engine

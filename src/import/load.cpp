@@ -5,6 +5,7 @@
 #include "import/asked_lights.h"
 #include "import/gltf/reader.h"
 #include "import/luminaires.h"
+#include "import/medium_border.h"
 #include "import/part/reader.h"
 #include "import/pbrt/reader.h"
 #include "sunfleck/error.h"
@@ -57,7 +58,10 @@ SceneDescription load_scene(const std::string& path, const SceneRequest& request
     const UpAxis up = up_of(format, path, request.import);
     set_luminaires(scene, request.luminaires, up);
     add_asked_lights(scene, request, format, up);
-    if (request.fog) fill_with_fog(scene, *request.fog);
+    if (request.fog)
+        fill_with_fog(scene, *request.fog);
+    else
+        end_outer_medium(scene);
     return scene;
 }
 

@@ -9,8 +9,9 @@
 namespace sunfleck::engine {
 namespace {
 
-/// Returns what the discs of a point have found.
+/// Returns what the discs of a point have found. Cylinders are probed anyway.
 Edge edge_of(const VisiblePoint& point) {
+    if (point.disc.is_in_medium()) return Edge::none;
     if (point.needs_sight) return Edge::of_sight;
     const float most = std::max(std::abs(point.disc_over_surface - 1),
                                 std::abs(point.indirect_disc_over_surface - 1));

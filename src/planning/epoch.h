@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -34,11 +35,12 @@ constexpr std::uint32_t passes_of_epoch(std::uint32_t epoch) {
 /// What an epoch's passes share.
 struct Epoch {
     std::uint32_t number = 0;
-    std::uint32_t paths = 0;                   // photon paths of a pass
-    TransportSettings transport{};             // with the way that brings indirect light
-    Log2Samples log2_samples;                  // of a pass's camera paths
-    EdgePixels edges;                          // where discs are probed
-    std::vector<LightStratum> strata;          // at least one, unless the scene is dark
+    std::uint32_t paths = 0;                         // photon paths of a pass
+    TransportSettings transport{};                   // with the way that brings indirect light
+    Log2Samples log2_samples;                        // of a pass's camera paths
+    EdgePixels edges;                                // where discs are probed
+    std::optional<DirectInMedia> direct_in_media{};  // as CameraPass has it
+    std::vector<LightStratum> strata;                // at least one, unless the scene is dark
     std::shared_ptr<const WorthRounds> worth;  // what trials of worth have learned so far, if any
     double seconds = 0;
 };

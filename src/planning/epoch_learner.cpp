@@ -8,6 +8,7 @@
 #include "math/wavelengths.h"
 #include "photon/light_strata.h"
 #include "photon_samplers/samplers.h"
+#include "planning/direct_in_media_trial.h"
 #include "planning/edge_pixels.h"
 #include "planning/pixel_allocation.h"
 #include "planning/remainder_scales.h"
@@ -86,6 +87,7 @@ EpochLearner::EpochLearner(const PassScene& scene, const RenderSettings& setting
             radius_factor(first_pass_of(epoch), settings.alpha)},
       trial_(pass_) {
     epoch_.transport.indirect = way;
+    if (may_share_direct_light(scene, epoch_.transport)) trial_.direct_in_media.emplace();
     trial_.cells = trial_cells(trial_.window.pixels());
     trial_.radius_factor *= trial_.cells;
 }
@@ -105,6 +107,8 @@ void EpochLearner::plan(WorthStart start) {
     epoch_.strata = epoch_.transport.goes_beyond_diffuse()
                         ? planned_independent_paths(std::move(start))
                         : planned_chains();
+    if (trial_.direct_in_media)
+        epoch_.direct_in_media = learned_direct_in_media(trial_, *seen_, epoch_.strata, name_);
 }
 
 std::vector<LightStratum> EpochLearner::planned_chains() {
@@ -153,6 +157,7 @@ void EpochLearner::allocate_pixels() {
     // Noise is that of discs as narrow as those of passes.
     CameraPass first = pass_;
     first.edges = epoch_.edges;
+    first.direct_in_media = epoch_.direct_in_media;
     std::optional<CameraTrial> narrow;
     if (trial_.cells > 1) {
         first.cells = request.cells;

@@ -36,8 +36,11 @@ void add_light(const PassImage& image, std::size_t set, TrialPair& pair) {
 CameraTrial view_of(const CameraPass& pass) {
     PassImage image(pass.window.pixels(), {});
     Statistics counts;
-    VisiblePointIndex index(trace_camera_paths(pass, image, counts), pass.transport.max_depth);
-    return {std::move(image), counts, std::move(index), pass.cells};
+    std::vector<Lit> lit(pass.direct_in_media ? pass.window.pixels() : 0, Lit::not_sampled);
+    CameraPass noting = pass;
+    noting.lit = lit;
+    VisiblePointIndex index(trace_camera_paths(noting, image, counts), pass.transport.max_depth);
+    return {std::move(image), counts, std::move(index), pass.cells, std::move(lit)};
 }
 
 std::vector<LightStratum> fraction_of(std::vector<LightStratum> strata, std::uint32_t parts) {

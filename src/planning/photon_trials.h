@@ -19,7 +19,8 @@ struct CameraTrial {
     PassImage image;  // light that needs no photon
     Statistics counts;
     VisiblePointIndex index;
-    int cells = 1;  // one path per cells x cells pixels
+    int cells = 1;              // one path per cells x cells pixels
+    std::vector<Lit> lit = {};  // by pixel, where photons may share the direct light of media
 };
 
 CameraTrial view_of(const CameraPass& pass);

@@ -23,6 +23,7 @@ inline constexpr std::uint32_t kPixelTrialsIteration = 464;  // of the first of 
 inline constexpr std::uint32_t kSecondTrialIteration = 482;
 inline constexpr std::uint32_t kExploredTrialIteration = 498;  // the trial that planners explore
 inline constexpr std::uint32_t kPhotonSetsIteration = 501;     // of the first of two sets
+inline constexpr std::uint32_t kMediaSetsIteration = 505;      // the same, for media
 
 /// Returns the first iteration of a block.
 constexpr std::uint32_t block_of_iteration(std::uint32_t iteration) {

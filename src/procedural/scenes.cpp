@@ -8,11 +8,16 @@
 #include "procedural/cornell.h"
 #include "procedural/cornell_door.h"
 #include "procedural/diamond.h"
+#include "procedural/fog_lamp.h"
 #include "procedural/iced_tea.h"
 #include "procedural/keyhole.h"
 #include "procedural/lamp_room.h"
 #include "procedural/magnifier.h"
+#include "procedural/milk.h"
+#include "procedural/opal.h"
+#include "procedural/pool.h"
 #include "procedural/room.h"
+#include "procedural/smoke.h"
 #include "procedural/statue.h"
 #include "procedural/two_windows.h"
 #include "procedural/watch.h"
@@ -81,6 +86,13 @@ std::vector<Entry> entries() {
          lamp_room_scene},
         {{"useless-light", "the same by day: a strong sun outside, and hardly any of it inside"},
          lamp_room_scene},
+        {{"milk", "a glass of milk, and a drop of milk that sinks in a glass of water"},
+         milk_scene},
+        {{"fog-lamp", "the beam of a lamp through a keyhole into a dark room full of fog"},
+         fog_lamp_scene},
+        {{"opal", "things on a table in the glow of a lantern of opal glass"}, opal_scene},
+        {{"pool", "under the waves of a pool: the sun's shafts in murky water"}, pool_scene},
+        {{"smoke", "smoke that rises from a bowl through a narrow beam of light"}, smoke_scene},
     };
     all.insert(all.end(), others.begin(), others.end());
     for (const CloseUp& view : kWineGlassViews)

@@ -26,6 +26,7 @@ void render_sppm(const RenderSettings& settings, CameraPass camera, const Epoch&
         camera.log2_samples = epoch.log2_samples;
     const std::vector<LightStratum>& strata = is_small ? fewer : epoch.strata;
     camera.edges = epoch.edges;
+    camera.direct_in_media = epoch.direct_in_media;
     Stopwatch watch;
     auto points = trace_camera_paths(camera, result.image, result.statistics);
     if (const auto factor = shrink_radii(state, points)) result.radius_factor = *factor;

@@ -14,10 +14,12 @@ bool is_anywhere(const Spectrum& curve) {
 
 }  // namespace
 
+bool acts(const Medium& medium) {
+    return is_anywhere(medium.absorption) || is_anywhere(medium.scattering);
+}
+
 bool Media::act() const {
-    return std::any_of(all.begin(), all.end(), [](const Medium& medium) {
-        return is_anywhere(medium.absorption) || is_anywhere(medium.scattering);
-    });
+    return std::any_of(all.begin(), all.end(), acts);
 }
 
 }  // namespace sunfleck::engine

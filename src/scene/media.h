@@ -30,13 +30,16 @@ struct MediumSides {
     friend bool operator==(const MediumSides&, const MediumSides&) = default;
 };
 
+/// Returns whether a medium absorbs or scatters.
+bool acts(const Medium& medium);
+
 /// All media of a scene, and those in which paths start.
 struct Media {
     std::vector<Medium> all{Medium()};
     MediumNumber at_camera = 0;
     std::vector<MediumSides> at_lights;  // per light; those beyond the end are in empty space
 
-    /// Returns whether any medium absorbs or scatters.
+    /// Returns whether any medium acts.
     bool act() const;
 };
 

@@ -95,12 +95,12 @@ struct Disc {
         const unsigned any = kinds | static_cast<unsigned>(kinds) >> kKindsInMedia;
         return (any & static_cast<unsigned>(kind)) != 0;
     }
-    /// Returns whether the disc is probed for edges for this kind. A disc for caustics alone is as
-    /// wide as a pixel or two, and loses little.
+    /// Returns whether the kernel is probed for edges for this kind. A disc for caustics alone is
+    /// as wide as a pixel or two, and loses little, as do cylinders for light that is not indirect.
     bool is_probed_for(PhotonKind kind) const {
-        if (is_in_medium()) return false;
         if (kind == PhotonKind::indirect) return accepts_kind(kind);
-        return kind != PhotonKind::long_specular_chain && accepts_kind(PhotonKind::direct);
+        if (kind == PhotonKind::long_specular_chain || is_in_medium()) return false;
+        return accepts_kind(PhotonKind::direct);
     }
     /// Returns the largest radius of the accepted kinds, long specular chains aside.
     float usual_radius() const {
@@ -165,8 +165,10 @@ struct VisiblePoint {
     Vec3 wo{0};                   // world, unit, towards the camera
     SampledSpectrum throughput;   // of the camera path, with the filter's weight; for a Lambertian
                                   // surface times albedo / pi
-    float disc_over_surface = 1;  // an estimate, for direct and caustic photons
-    float indirect_disc_over_surface = 1;  // the same of the disc for indirect ones
+    float disc_over_surface = 1;  // an estimate, for direct and caustic photons; of a cylinder its
+                                  // volume over that of the medium in it
+    float indirect_disc_over_surface = 1;  // the same for indirect ones
+    float photon_share = 1;  // of a cylinder: what photons bring of the light straight from lights
     std::uint32_t pixel = 0;
     std::uint32_t bsdf = 0;    // for PassScene::kept(); kLambertian needs none
     std::uint32_t medium = 0;  // of a cylinder

@@ -116,5 +116,32 @@ TEST(EdgeProbes, leave_out_what_is_hidden) {
     EXPECT_EQ(Probed(diffuse("0.5 0.5 0.5") + kFloor, middle, Probes::of_trial).need_sight, 0);
 }
 
+/// A wall beside a cylinder's axis hides .35 of it for indirect photons. Cylinders are probed even
+/// where discs are not; narrow ones, for other photons, are not.
+TEST(EdgeProbes, know_what_a_wall_leaves_of_a_cylinder) {
+    const Scene scene =
+        scene_of(view("0 -1 3  0 0 0  0 1 0", 40, 4) + "LightSource \"distant\"\n" +
+                 diffuse("0.5 0.5 0.5") + quad("-.05 -9 -9  -.05 9 -9  -.05 9 9  -.05 -9 9"));
+    const PassScene pass(scene, {1, 0});
+    VisiblePoint cylinder = point_at({0, 0, 0});
+    cylinder.disc.half_length = 1;
+    cylinder.disc.kinds = static_cast<std::uint8_t>(cylinder.disc.kinds << kKindsInMedia);
+    constexpr std::uint32_t kPixels = 20'000;
+    double sharp = 0;
+    double indirect = 0;
+    double need_sight = 0;
+    for (std::uint32_t i = 0; i < kPixels; ++i) {
+        std::array<VisiblePoint, 1> points = {cylinder};
+        probe_edges(pass, points, Probes::none, PassId{5, 0}.stream(Purpose::edge_probe, i));
+        sharp = std::max(sharp, double{points[0].disc_over_surface});
+        indirect += points[0].indirect_disc_over_surface / double{kPixels};
+        need_sight += points[0].needs_sight ? 1 / double{kPixels} : 0;
+    }
+    EXPECT_EQ(sharp, 1);
+    EXPECT_NEAR(indirect, 1 / 0.6575, 0.03);
+    EXPECT_GT(need_sight, 0.3);
+    EXPECT_LT(need_sight, 0.95);
+}
+
 }  // namespace
 }  // namespace sunfleck::engine

@@ -4,6 +4,7 @@
 
 #include "core/random.h"
 #include "media_checks.h"
+#include "procedural/milk.h"
 #include "procedural/snifter.h"
 #include "procedural/wine_glass.h"
 
@@ -28,9 +29,10 @@ struct Example {
     double height;  // cm
 };
 
-constexpr std::array<Example, 2> kExamples = {{
+constexpr std::array<Example, 3> kExamples = {{
     {"snifter", snifter_curves, kSnifterSegments, 40, 100, 60, 130, 13.46},
     {"wine_glass", wine_glass_curves, kWineGlassSegments, 50, 120, 130, 260, 22.66},
+    {"tumbler", milk_glass_curves, kMilkGlassSegments, 50, 130, 130, 320, 10.9},
 }};
 
 void PrintTo(const Example& example, std::ostream* out) {

@@ -129,9 +129,11 @@ TEST_P(EveryScene, has_the_bytes_that_pictures_were_made_of) {
         {"useless-light", 0x58b61d01cf208ab2}, {"keyhole-4", 0xcf1d1a5deef40a3b},
         {"keyhole-6", 0xf541a393bdb7b3},       {"keyhole-8", 0xe8c8a9dfa36378bf},
         {"keyhole-9", 0x90f334e92184c31d},     {"keyhole-lamp", 0xbaa7065c08d77d55},
-        {"brandy", 0xab175445f9a91b0f},        {"wine-glass-1", 0x66fc9bad46cebef1},
-        {"wine-glass-2", 0xd9df0c251a841e79},  {"wine-glass-3", 0x960584a4454d130e},
-        {"wine-glass-4", 0x2ca5b4f49d536ae5},
+        {"milk", 0x9c85aaae509e1827},          {"fog-lamp", 0x41a2941ff270b148},
+        {"opal", 0xc04be626bbe835dc},          {"pool", 0xfa2e714193254496},
+        {"smoke", 0x2ef6996e95699c4d},         {"brandy", 0xab175445f9a91b0f},
+        {"wine-glass-1", 0x66fc9bad46cebef1},  {"wine-glass-2", 0xd9df0c251a841e79},
+        {"wine-glass-3", 0x960584a4454d130e},  {"wine-glass-4", 0x2ca5b4f49d536ae5},
     };
     EXPECT_EQ(known.at(GetParam().name), fingerprint(files_))
         << "0x" << std::hex << fingerprint(files_);
@@ -141,14 +143,15 @@ TEST_P(EveryScene, has_the_number_of_triangles_it_promises) {
     std::size_t triangles = 0;
     for (const Mesh& mesh : scene_meshes(files_)) triangles += mesh.triangles.size();
     const std::map<std::string, std::size_t> promised = {
-        {"cornell", 36},         {"window-room", 262},     {"window-room-lamp", 262},
-        {"brandy", 193146},      {"diamond", 112},         {"iced-tea", 13044},
-        {"cornell-door", 730},   {"two-windows", 43070},   {"light-shafts", 42874},
-        {"box", 3466},           {"watch", 153274},        {"room", 159714},
-        {"statue-far", 378638},  {"statue-near", 378638},  {"magnifier", 72348},
-        {"useful-light", 64824}, {"useless-light", 64824}, {"keyhole-4", 20},
-        {"keyhole-6", 20},       {"keyhole-8", 20},        {"keyhole-9", 20},
-        {"keyhole-lamp", 22},
+        {"cornell", 36},          {"window-room", 262},    {"window-room-lamp", 262},
+        {"milk", 73986},          {"fog-lamp", 13448},     {"opal", 16484},
+        {"pool", 79568},          {"smoke", 17492},        {"brandy", 193146},
+        {"diamond", 112},         {"iced-tea", 13044},     {"cornell-door", 730},
+        {"two-windows", 43070},   {"light-shafts", 42874}, {"box", 3466},
+        {"watch", 153274},        {"room", 159714},        {"statue-far", 378638},
+        {"statue-near", 378638},  {"magnifier", 72348},    {"useful-light", 64824},
+        {"useless-light", 64824}, {"keyhole-4", 20},       {"keyhole-6", 20},
+        {"keyhole-8", 20},        {"keyhole-9", 20},       {"keyhole-lamp", 22},
     };
     const std::string& name = GetParam().name;
     if (name.starts_with("cognac"))
@@ -183,8 +186,9 @@ TEST_P(SolidScene, has_no_two_level_faces_in_one_place) {
 
 INSTANTIATE_TEST_SUITE_P(all, SolidScene,
                          testing::Values("cornell-door", "two-windows", "box", "watch", "room",
-                                         "statue-far", "magnifier", "useless-light", "keyhole-8",
-                                         "keyhole-9", "keyhole-lamp"),
+                                         "statue-far", "magnifier", "useless-light", "fog-lamp",
+                                         "opal", "pool", "smoke", "keyhole-8", "keyhole-9",
+                                         "keyhole-lamp"),
                          [](const auto& info) {
                              std::string name = info.param;
                              std::replace(name.begin(), name.end(), '-', '_');
@@ -194,14 +198,14 @@ INSTANTIATE_TEST_SUITE_P(all, SolidScene,
 TEST(Scenes, are_these) {
     std::string names;
     for (const ProceduralScene& scene : procedural_scenes()) names += scene.name + ' ';
-    EXPECT_EQ(
-        names,
-        "cornell cognac-0 cognac-1 cognac-2 cognac-3 cognac-4 cognac-5 cognac-6 "
-        "window-room window-room-lamp brandy diamond iced-tea cornell-door two-windows "
-        "light-shafts "
-        "box watch room statue-far statue-near magnifier useful-light useless-light wine-glass-1 "
-        "wine-glass-2 wine-glass-3 wine-glass-4 keyhole-4 "
-        "keyhole-6 keyhole-8 keyhole-9 keyhole-lamp ");
+    EXPECT_EQ(names,
+              "cornell cognac-0 cognac-1 cognac-2 cognac-3 cognac-4 cognac-5 cognac-6 "
+              "window-room window-room-lamp brandy diamond iced-tea cornell-door two-windows "
+              "light-shafts "
+              "box watch room statue-far statue-near magnifier useful-light useless-light "
+              "milk fog-lamp opal pool smoke wine-glass-1 "
+              "wine-glass-2 wine-glass-3 wine-glass-4 keyhole-4 "
+              "keyhole-6 keyhole-8 keyhole-9 keyhole-lamp ");
 }
 
 // So all can be written to one folder: none changes another that was written before.

@@ -39,7 +39,7 @@ TEST(PathEquivalence, room_full_of_coloured_mist) {
         quad("1 -1 0  1 -1 2  1 1 2  1 1 0") + quad("-1 -1 0  -1 -1 2  1 -1 2  1 -1 0") +
         "AreaLightSource \"diffuse\" \"rgb L\" [10 9 7]\nReverseOrientation\n" +
         quad("-.4 -.2 1.9  .4 -.2 1.9  .4 .6 1.9  -.4 .6 1.9"));
-    expect_equivalent(scene, {300, 30, 40, 0.01, 0.03});
+    expect_equivalent(scene, {300, 30, 40, 0.01, 0.01});
 }
 
 }  // namespace
