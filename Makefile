@@ -85,6 +85,8 @@ differential:
 
 # What takes hours: everything above, lint, another compiler, long fuzzing; and the benchmarks compile.
 nightly: test browser mpi sanitize tidy
+	cmake --preset release -DSUNFLECK_TESTS=ON -DSUNFLECK_NIGHTLY_TESTS=ON
+	cmake --build $(BUILD) -j $(JOBS)
 	$(CTEST) -L nightly
 	$(MAKE) differential N=1000 SEED=$$(date +%Y%m%d)
 	cmake --preset clang

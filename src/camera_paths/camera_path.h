@@ -56,7 +56,7 @@ private:
         float radius;    // at the least
         float widening;  // of that, for indirect light
     };
-    Pieces pieces_of(const Ray& way, float typical) const;
+    Pieces pieces_of(const Ray& way, float typical, float scale) const;
     /// A part of a way, by distances.
     struct Piece {
         float begin;
@@ -66,8 +66,7 @@ private:
     };
     Piece piece_at(const Ray& way, const Pieces& pieces, float distance) const;
     float photon_share(const Pieces& pieces, const Piece& piece) const;
-    void gather_in(const FreeWay& path, const Ray& way, const Piece& piece, float chance,
-                   float share);
+    void gather_in(const Ray& way, const Piece& piece, float chance, float share);
     void scatter_in_medium(const SampledMedium& medium, const Vec3& position, BatchPoints& numbers);
     bool interact(Hit& hit, BatchPoints& numbers);
     void go_beyond(const CameraVertex& vertex, BatchPoints numbers);

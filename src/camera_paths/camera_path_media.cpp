@@ -27,9 +27,48 @@ std::optional<Vec3> lamp_near(const PassScene& pass, const Vec3& place, BatchPoi
     return place + sample->direction * sample->distance;
 }
 
-/// Returns the radius for indirect light over the other one. @param typical  a distance.
-float widening(float radius, float typical) {
-    return std::clamp(kPartOfDistance * typical / radius, 1.0F, kMostWidening);
+/// Returns the length over which the middle half of the light is scattered: of a cloud far from the
+/// eye, the distance says nothing.
+float middle_half(const FreeWay& path) {
+    return path.distance_at(0.75F * path.chance()) - path.distance_at(0.25F * path.chance());
+}
+
+/// Which piece of a way photons are gathered in, by one number.
+class PieceChoice {
+public:
+    /// @param path  must outlive this. Where the density varies, half of the pieces are drawn
+    /// evenly from where it begins to where it ends: photons beside the ray may be where hardly
+    /// anything is on it.
+    PieceChoice(const FreeWay& path, bool varies)
+        : path_(path),
+          first_(varies ? path.distance_at(0) : 0),
+          last_(varies ? path.distance_at(path.chance()) : 0) {}
+
+    /// Returns a distance in the piece. @param u  in [0,1).
+    float distance(float u) const {
+        if (!is_even()) return path_.distance_at(path_.chance() * u);
+        if (u < 0.5F) return path_.distance_at(path_.chance() * 2 * u);
+        return first_ + (last_ - first_) * (2 * u - 1);
+    }
+    /// Returns the chance of a piece.
+    float chance(float begin, float end) const {
+        const float by_path = path_.chance_between(begin, end) / path_.chance();
+        if (!is_even()) return by_path;
+        const float length = std::min(end, last_) - std::max(begin, first_);
+        return (by_path + std::max(0.0F, length) / (last_ - first_)) / 2;
+    }
+
+private:
+    bool is_even() const { return last_ > first_; }
+
+    const FreeWay& path_;
+    float first_;
+    float last_;
+};
+
+/// Returns the radius for indirect light over the other one. @param scale  a length.
+float widening(float radius, float scale) {
+    return std::clamp(kPartOfScale * scale / radius, 1.0F, kMostWidening);
 }
 
 }  // namespace
@@ -80,9 +119,12 @@ void CameraPath::look_into(const SampledMedium& medium, const Ray& way, BatchPoi
     // Half of the light comes from nearer. Pieces must not depend on what is drawn, and near the
     // eye, where a pixel is narrow, they hold no photon.
     const float typical = path.distance_at(chance / 2);
-    const Pieces pieces = pieces_of(way, typical);
-    const Piece piece = piece_at(way, pieces, here);
-    gather_in(path, way, piece, chance, photon_share(pieces, piece));
+    const float scale = medium.density ? std::min(typical, middle_half(path)) : typical;
+    const Pieces pieces = pieces_of(way, typical, scale);
+    const PieceChoice choice(path, medium.density != nullptr);
+    const float u = static_cast<float>(medium.density ? numbers.next() : draws.x);
+    const Piece piece = piece_at(way, pieces, choice.distance(u));
+    gather_in(way, piece, choice.chance(piece.begin, piece.end), photon_share(pieces, piece));
 
     // By angle from a lamp, too, so that the light near one is no noise.
     const auto lamp = lamp_near(pass_.scene, way.origin + way.direction * typical, numbers);
@@ -102,12 +144,13 @@ void CameraPath::look_into(const SampledMedium& medium, const Ray& way, BatchPoi
 }
 
 /// @param typical  the distance before which half of the light is scattered.
-CameraPath::Pieces CameraPath::pieces_of(const Ray& way, float typical) const {
+/// @param scale  a length over which half of it is.
+CameraPath::Pieces CameraPath::pieces_of(const Ray& way, float typical, float scale) const {
     const float radius = radius_after(way, typical);
-    const float wide = widening(radius, typical);
+    const float wide = widening(radius, scale);
     float length = radius * std::max(kPieceOverRadius, kPieceOverWideRadius * wide);
     if (way.length < kInfinity) length = way.length / std::ceil(way.length / length);
-    return {length, std::min(1.0F, length / (2 * typical)), radius, wide};
+    return {length, std::min(1.0F, length / (2 * scale)), radius, wide};
 }
 
 CameraPath::Piece CameraPath::piece_at(const Ray& way, const Pieces& pieces, float distance) const {
@@ -139,12 +182,10 @@ float CameraPath::radius_after(const Ray& way, float distance) const {
     return there.radius_at(way.origin + way.direction * distance);
 }
 
-/// Gathers photons in a piece of the ray. @param chance  of any piece. @param share  of photons in
+/// Gathers photons in a piece of the ray. @param chance  of the piece. @param share  of photons in
 /// light that comes straight from lights.
-void CameraPath::gather_in(const FreeWay& path, const Ray& way, const Piece& piece, float chance,
-                           float share) {
-    const float of_piece = path.chance_between(piece.begin, piece.end);
-    if (!(of_piece > 0)) return;  // a density that begins or ends here, by rounding
+void CameraPath::gather_in(const Ray& way, const Piece& piece, float chance, float share) {
+    if (!(chance > 0)) return;  // a density that begins or ends here, by rounding
     const float middle = (piece.begin + piece.end) / 2;
     VisiblePoint point = new_point();
     point.disc.position = way.origin + way.direction * middle;
@@ -159,8 +200,7 @@ void CameraPath::gather_in(const FreeWay& path, const Ray& way, const Piece& pie
     point.photon_share = share;
     point.shading_normal = way.direction;
     point.throughput *=
-        pass_.scene.transmittance(medium_, {way.origin, way.direction, piece.begin}) *
-        (chance / of_piece);
+        pass_.scene.transmittance(medium_, {way.origin, way.direction, piece.begin}) / chance;
     point.bsdf = pass_.scene.phase_of(medium_);
     point.medium = medium_;
     points_.push_back(point);

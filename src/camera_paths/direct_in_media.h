@@ -27,7 +27,8 @@ enum class Lit : std::uint8_t { not_sampled, dark, lit };
 inline float share_of_photons(float lit, float expected, float chance) {
     if (!(expected > 0)) return 0;
     const float of_samples = 1 - lit;  // times 1 / lit, as what follows
-    const float of_photons = lit / std::min(1.0F, lit + chance) - lit + 1 / expected;
+    const float met = std::min(1.0F, lit + chance);
+    const float of_photons = (met > 0 ? lit / met : 1) - lit + 1 / expected;
     const float square = of_samples * of_samples;
     return square / (square + of_photons * of_photons);
 }

@@ -5,13 +5,13 @@ namespace sunfleck::engine {
 
 /// Length of a piece of a ray in which photons count, over the radius of its cylinder: longer ones
 /// hold more photons, and have larger boxes around them.
-inline constexpr float kPieceOverRadius = 16;
+inline constexpr float kPieceOverRadius = 64;
 /// The same over the wider radius for indirect light.
-inline constexpr float kPieceOverWideRadius = 4;
+inline constexpr float kPieceOverWideRadius = 16;
 
 /// Indirect light is smooth in media, and photons are few: its cylinders are up to so many times as
-/// wide, but less than this part of the distance before which half of the light is scattered.
+/// wide, but less than this part of the length over which half of the light is scattered.
 inline constexpr float kMostWidening = 16;
-inline constexpr float kPartOfDistance = 0.1F;
+inline constexpr float kPartOfScale = 0.1F;
 
 }  // namespace sunfleck::engine

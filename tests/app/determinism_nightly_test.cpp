@@ -21,7 +21,8 @@ TEST_P(DeterminismTable, threads_by_splits) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, DeterminismTable,
-                         ::testing::Values("cornell", "cognac-1", "window-room"));
+                         ::testing::Values("cornell", "cognac-1", "window-room", "fog-lamp",
+                                           "smoke"));
 
 }  // namespace
 }  // namespace sunfleck::engine

@@ -59,6 +59,7 @@ INSTANTIATE_TEST_SUITE_P(
         LearnedCase{"chains", "keyhole-4", {}, 17, {14, 17, 18}, "48x48"},
         LearnedCase{
             "adaptive_pixels", "iced-tea", {"--photons-per-pass", "20000"}, 15, {14, 17, 18}},
+        LearnedCase{"media", "smoke", {"--photons-per-pass", "4000"}, 15, {14, 17, 18}, "24x32"},
         LearnedCase{
             "light_strata", "useless-light", {"--photons-per-pass", "3000"}, 7, {4, 17, 18}},
         LearnedCase{"light_groups",

@@ -1,35 +1,10 @@
-// Light tracing against path tracing, and against photons where path tracing finds nothing: of the
-// ratio of their brightness the 99% interval lies inside 1 +- the tolerance of each view.
-#include "support/renders.h"
-
-#include <gtest/gtest.h>
+// Light tracing against path tracing.
+#include "render/light_equivalence.h"
 
 namespace sunfleck::engine {
 namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
-
-struct Effort {
-    int renders;
-    double tolerance = 0.005;
-};
-
-/// Renders in pairs of one seed: camera rays to emitters are the same in both.
-void expect_equal(const Scene& scene, Integrator other, const Effort& effort) {
-    RenderSettings settings;
-    settings.transport.max_depth = 12;
-    settings.photon.paths_per_pass = 20'000;
-    settings.camera.radius_pixels = 0.5;
-    const Estimate ratio = Estimate::over(effort.renders, [&](int i) {
-        settings.seed = static_cast<std::uint64_t>(i);
-        settings.integrator = Integrator::light;
-        const double light = luminance(render_mean(scene, settings, 16).mean());
-        settings.integrator = other;
-        return light / luminance(render_mean(scene, settings, 16).mean());
-    });
-    EXPECT_LT(std::abs(ratio.mean - 1) + 2.58 * ratio.error, effort.tolerance)
-        << ratio.mean << " +- " << ratio.error;
-}
 
 const std::string kLamp = "AreaLightSource \"diffuse\" \"rgb L\" [10 9 7]\n" + diffuse("0 0 0") +
                           "ReverseOrientation\n" +
@@ -82,17 +57,6 @@ TEST(LightTracing, of_bent_normals) {
     const Scene scene = scene_of(view("0 -1.5 1.5  0 0 0  0 0 1", 40, 32) + diffuse("0.7 0.7 0.7") +
                                  bent + quad("-1 1 0  1 1 0  1 1 2  -1 1 2") + kLamp);
     expect_equal(scene, Integrator::path, {24});
-}
-
-/// A caustic of the sun: no path from the camera can find it.
-TEST(LightTracing, of_a_caustic) {
-    const Scene scene =
-        scene_of(view("2 -1 1  .57 -.2 0  0 0 1", 22, 32) +
-                 "LightSource \"distant\" \"point3 from\" [-1 0 1.2]\n" + diffuse("0.7 0.7 0.7") +
-                 quad("-2 -2 0  2 -2 0  2 2 0  -2 2 0") +
-                 "Material \"dielectric\" \"spectrum eta\" \"glass-F11\"\nTranslate -.1 -.2 .8\n"
-                 "Shape \"sphere\" \"float radius\" 0.4\n");
-    expect_equal(scene, Integrator::sppm, {40, 0.015});
 }
 
 }  // namespace

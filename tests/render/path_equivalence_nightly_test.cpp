@@ -42,5 +42,23 @@ TEST(PathEquivalence, room_full_of_coloured_mist) {
     expect_equivalent(scene, {300, 30, 40, 0.01, 0.01});
 }
 
+/// A dense cloud far from the eye, of parts between which there is nothing. The tolerance is that
+/// of cylinders a pixel wide at its outline.
+TEST(PathEquivalence, cloud_before_a_sky) {
+    std::string density;
+    for (int i = 0; i < 6 * 6 * 6; ++i) density += i * 7 % 3 == 0 ? " 1" : " 0";
+    const Scene scene = scene_of(
+        view("0 -6 1  0 0 0  0 0 1", 18, kSize) +
+        "LightSource \"infinite\" \"rgb L\" [.3 .4 .6]\n"
+        "LightSource \"distant\" \"point3 from\" [2 -1 3] \"point3 to\" [0 0 0]\n"
+        "MakeNamedMedium \"cloud\" \"string type\" \"uniformgrid\" \"integer nx\" 6 "
+        "\"integer ny\" 6 \"integer nz\" 6 \"point3 p0\" [-.6 -.6 -.6] \"point3 p1\" [.6 .6 .6] "
+        "\"spectrum sigma_s\" [200 20 900 20] \"spectrum sigma_a\" [200 0 900 0] \"float density\" "
+        "[" +
+        density + "]\nMaterial \"interface\"\nMediumInterface \"cloud\" \"\"\n" +
+        box({-0.6, -0.6, -0.6}, {0.6, 0.6, 0.6}));
+    expect_equivalent(scene, {60, 12, 12, 0.02, 0.05});
+}
+
 }  // namespace
 }  // namespace sunfleck::engine
