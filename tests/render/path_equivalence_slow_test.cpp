@@ -53,31 +53,5 @@ TEST(PathEquivalence, rough_metal_lit_through_smooth_glass) {
     expect_equivalent(scene, {160, 20, 20, 0.01, 0.01});
 }
 
-/// A floor below a tank of glass full of ink, in which something clear lies; all stands in haze.
-TEST(PathEquivalence, floor_below_a_tank_of_ink) {
-    const auto medium = [](const char* name, const char* sigma) {
-        return std::string("MakeNamedMedium \"") + name +
-               "\" \"string type\" \"homogeneous\" \"rgb sigma_s\" [0 0 0] \"rgb sigma_a\" [" +
-               sigma + "]\n";
-    };
-    const Scene scene = scene_of(
-        medium("ink", "1 3 5") + medium("haze", ".3 .2 .1") + "MediumInterface \"haze\"\n" +
-        view("0 -1 .6  0 0 0  0 0 1", 20, kSize) + diffuse("0.5 0.5 0.5") +
-        quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0") +
-        "AttributeBegin\nMaterial \"dielectric\"\nMediumInterface \"ink\" \"haze\"\n" +
-        box({-1, -1, 0.8}, {1, 1, 1.2}) + "MediumInterface \"\" \"ink\"\nMaterial \"interface\"\n" +
-        box({-.5, -.5, 0.9}, {0.5, 0.5, 1.1}) + "AttributeEnd\n" +
-        "AreaLightSource \"diffuse\" \"rgb L\" [3 3 3]\nReverseOrientation\n" +
-        diffuse("0.5 0.5 0.5") + quad("-.8 -.8 1.5  .8 -.8 1.5  .8 .8 1.5  -.8 .8 1.5"));
-    expect_equivalent(scene, {160, 0, 30, 0.01, 0.01});
-    // All light comes through smooth glass: photons bring it whatever else is sampled.
-    const auto once = [&](DirectLight direct, IndirectLight indirect) {
-        return brightness(scene, equivalence_settings(direct, indirect), 2).mean;
-    };
-    const double by_photons = once(DirectLight::photons, IndirectLight::photons);
-    EXPECT_NEAR(once(DirectLight::sampled, IndirectLight::photons) / by_photons, 1, 1e-9);
-    EXPECT_NEAR(once(DirectLight::sampled, IndirectLight::sampled) / by_photons, 1, 1e-9);
-}
-
 }  // namespace
 }  // namespace sunfleck::engine

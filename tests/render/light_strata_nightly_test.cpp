@@ -13,7 +13,7 @@ using namespace testing_support;  // NOLINT(google-build-using-namespace): a tes
 // 99% of a ratio of means lies within 5% of one: 60 renders of 4 passes, seeds 0 .. 59, for the
 // light that photons bring to the whole picture and to its left half. Each lamp brings a fifth of
 // it or more, so one that is left out or weighed wrong by a third is seen.
-TEST(LightStrataSlow, bring_the_light_of_uniform_paths) {
+TEST(LightStrataNightly, bring_the_light_of_uniform_paths) {
     constexpr int kPixels = 12;
     constexpr int kRenders = 60;
     const Scene scene = two_lamps(kPixels, 60);
