@@ -122,8 +122,9 @@ void CameraPath::look_into(const SampledMedium& medium, const Ray& way, BatchPoi
     const float scale = medium.density ? std::min(typical, middle_half(path)) : typical;
     const Pieces pieces = pieces_of(way, typical, scale);
     const PieceChoice choice(path, medium.density != nullptr);
-    const float u = static_cast<float>(medium.density ? numbers.next() : draws.x);
-    const Piece piece = piece_at(way, pieces, choice.distance(u));
+    const float in_piece =
+        medium.density ? choice.distance(static_cast<float>(numbers.next())) : here;
+    const Piece piece = piece_at(way, pieces, in_piece);
     gather_in(way, piece, choice.chance(piece.begin, piece.end), photon_share(pieces, piece));
 
     // By angle from a lamp, too, so that the light near one is no noise.

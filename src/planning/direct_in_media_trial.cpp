@@ -16,29 +16,29 @@ namespace {
 constexpr auto kDirectInMedia =
     static_cast<std::uint8_t>(static_cast<unsigned>(PhotonKind::direct) << kKindsInMedia);
 
-/// Visible points whose photons straight from lights are counted apart, by cylinder.
+/// Visible points whose photons straight from lights are counted apart: cylinder i's as those of
+/// pixel i + 1, all others as those of pixel 0.
 struct CountedCylinders {
     VisiblePointLists points{1};
     std::vector<double> volumes;
 
     explicit CountedCylinders(std::span<const VisiblePoint> seen) {
-        for (const VisiblePoint& point : seen)
-            if ((point.disc.kinds & kDirectInMedia) != 0) add(point);
-        const auto others = static_cast<std::uint32_t>(volumes.size());
-        for (VisiblePoint point : seen) {
-            point.disc.kinds &= static_cast<std::uint8_t>(~kDirectInMedia);
-            point.pixel = others;
-            if (point.disc.kinds != 0) points.front().push_back(point);
+        for (const VisiblePoint& point : seen) {
+            if ((point.disc.kinds & kDirectInMedia) != 0) {
+                const double radius = point.disc.radius_for(PhotonKind::direct);
+                volumes.push_back(kPiDouble * radius * radius * 2 * point.disc.half_length);
+                add(point, kDirectInMedia, volumes.size());
+            }
+            add(point, static_cast<std::uint8_t>(~kDirectInMedia), 0);
         }
     }
 
 private:
-    void add(VisiblePoint cylinder) {
-        const double radius = cylinder.disc.radius_for(PhotonKind::direct);
-        cylinder.disc.kinds = kDirectInMedia;
-        cylinder.pixel = static_cast<std::uint32_t>(volumes.size());
-        points.front().push_back(cylinder);
-        volumes.push_back(kPiDouble * radius * radius * 2 * cylinder.disc.half_length);
+    /// @param kinds  of the point's photons, at most.
+    void add(VisiblePoint point, std::uint8_t kinds, std::size_t pixel) {
+        point.disc.kinds &= kinds;
+        point.pixel = static_cast<std::uint32_t>(pixel);
+        if (point.disc.kinds != 0) points.front().push_back(point);
     }
 };
 
@@ -93,8 +93,8 @@ std::optional<DirectInMedia> learned_direct_in_media(const CameraPass& trial,
     double volume = 0;
     for (std::size_t i = 0; i < cylinders; ++i)
         for (const auto& [one, other] : {std::pair(0, 1), std::pair(1, 0)}) {
-            if (met.at(one)[i] == 0) continue;
-            photons += static_cast<double>(met.at(other)[i]);
+            if (met.at(one)[i + 1] == 0) continue;
+            photons += static_cast<double>(met.at(other)[i + 1]);
             volume += counted.volumes[i];
         }
     if (!(volume > 0)) return {};

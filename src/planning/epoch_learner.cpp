@@ -107,8 +107,6 @@ void EpochLearner::plan(WorthStart start) {
     epoch_.strata = epoch_.transport.goes_beyond_diffuse()
                         ? planned_independent_paths(std::move(start))
                         : planned_chains();
-    if (trial_.direct_in_media)
-        epoch_.direct_in_media = learned_direct_in_media(trial_, *seen_, epoch_.strata, name_);
 }
 
 std::vector<LightStratum> EpochLearner::planned_chains() {
@@ -146,6 +144,8 @@ EdgePixels EpochLearner::edges() const {
 
 Epoch EpochLearner::measured() {
     if (trial_.cells > 1) epoch_.edges = edges();
+    if (trial_.direct_in_media)
+        epoch_.direct_in_media = learned_direct_in_media(trial_, *seen_, epoch_.strata, name_);
     if (settings_.photon.adaptive_pixels) allocate_pixels();
     return std::move(epoch_);
 }
