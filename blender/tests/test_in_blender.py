@@ -301,11 +301,20 @@ class Materials(Case):
             bpy.data.objects.remove(bpy.context.object)
             bpy.data.materials.remove(bpy.data.materials["Full"])
 
-    def test_emission_of_a_volume_is_named_once(self):
-        self.full_cube("ShaderNodeVolumePrincipled", Emission_Strength=1)
+    def test_volumes_emit(self):
+        # Black absorbs 1 per unit: as bright where it is thick as it emits per unit.
+        self.full_cube("ShaderNodeVolumePrincipled", Color=(0, 0, 0, 1), Density=2,
+                       Emission_Color=(1, 0.5, 0, 1), Emission_Strength=4)
+        text = self.export()
+        self.assertIn('"rgb sigma_a" [ 2 2 2 ]', text)
+        self.assertIn('"rgb Le" [ 2 1 0 ]', text)
+        self.assertEqual(self.warnings, [])
+
+    def test_a_black_body_of_a_volume_is_named_once(self):
+        self.full_cube("ShaderNodeVolumePrincipled", Blackbody_Intensity=1)
         bpy.ops.object.duplicate()
         self.export()
-        self.assertEqual(self.warnings, ['material "Full": emission of a volume: left out'])
+        self.assertEqual(self.warnings, ['material "Full": black body of a volume: left out'])
 
     def test_a_volume_of_the_world_surrounds_all(self):
         fill_world("ShaderNodeVolumeScatter", Color=(1, 0.5, 0, 1), Density=0.5)

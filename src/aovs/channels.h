@@ -20,6 +20,7 @@ enum class Aov : std::size_t {
     depth,     // distance to the first surface along the ray; 0 for none
     samples,   // photons gathered per pass, weighted like the pass; states of the paper's chain
                // count with their repeats
+    transmittance,  // what media leave of white light from the first surface, or from afar
     count
 };
 
@@ -41,6 +42,7 @@ inline constexpr std::array<AovRow, kAovCount> kAovs = {{
     {Aov::normal, "normal", "XYZ"},
     {Aov::depth, "depth", "Z"},
     {Aov::samples, "samples", "N"},
+    {Aov::transmittance, "transmittance", "RGB"},
 }};
 
 /// Returns whether a light group may have this name: a letter, then letters, digits, _ and -.

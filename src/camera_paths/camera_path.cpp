@@ -41,6 +41,7 @@ void CameraPath::follow(std::optional<Hit> hit, BatchPoints& numbers) {
             if (crossing == Crossing::scattered) continue;
         }
         if (!hit) {
+            if (!has_features_) add_transmittance();
             add_emission(
                 environment_along(pass_.scene, position_, direction_, wanted_contributions()));
             return;
@@ -207,6 +208,7 @@ bool CameraPath::take(const CameraVertex& vertex, const BsdfSampleInput& draw, f
     spread_angle_ /= drawn->eta;
     if (drawn->pdf) spread_angle_ += kGlossySpread * std::min(1.0F, 1 / std::sqrt(*drawn->pdf));
     ++bounces_;
+    if (beyond_) ++events_beyond_;
     const bool others_bring_it = beyond_ && scattering(vertex.bsdf) != Scattering::diffuse;
     if (drawn->pdf && !others_bring_it) {
         emitters_ = Emitters::weighted;
@@ -240,6 +242,7 @@ void CameraPath::add_features(const Hit& hit, const SampledSpectrum& reflectance
     const auto add = [&](const Vec3& value, Aov aov) {
         image_.add_feature(pixel_, value * of_pixel_, aov);
     };
+    add_transmittance();
     add(hit.shading_normal, Aov::normal);
     add(Vec3(length_), Aov::depth);
     if (image_.has(Aov::albedo))

@@ -47,6 +47,7 @@ private:
                         BatchPoints& numbers);
     CameraVertex vertex_in_medium(const Vec3& position, const Bsdf& phase) const;
     void look_into(const SampledMedium& medium, const Ray& way, BatchPoints numbers);
+    void add_glow(const SampledMedium& medium, const Ray& way, BatchPoints& numbers);
     void grow_into(float distance);
     float radius_after(const Ray& way, float distance) const;
     /// The equal pieces of a way, in each of which photons may count.
@@ -80,6 +81,7 @@ private:
         return image_.light_groups() > 0 ? &contributions_ : nullptr;
     }
     void add_features(const Hit& hit, const SampledSpectrum& reflectance);
+    void add_transmittance();
     void gather(const Hit& hit, const Bsdf& bsdf, std::uint8_t kinds);
     VisiblePoint new_point() const;
     bool add_direct_light(const CameraVertex& vertex, BatchPoints& numbers, bool follow);
@@ -101,8 +103,9 @@ private:
     std::uint32_t pixel_ = 0;
     bool has_hit_ = false;  // the path has hit a surface
     bool has_features_ = false;
-    float of_pixel_ = 1;  // weight of this path in the pixel
-    float weight_ = 1;    // of the pixel filter, the exposure and of_pixel_
+    SampledSpectrum media_left_{1};  // before them: what media leave of light from here
+    float of_pixel_ = 1;             // weight of this path in the pixel
+    float weight_ = 1;               // of the pixel filter, the exposure and of_pixel_
     SampledSpectrum throughput_;
     HeroWavelength hero_;
     Vec3 position_{0};  // of the last vertex
@@ -118,6 +121,7 @@ private:
     float eta_scale_ = 1;        // squared index ratio of refractions, undone for Russian roulette
     float share_ = 1;            // product of the branch weights
     bool beyond_ = false;        // a diffuse surface has scattered the path: nothing is gathered
+    int events_beyond_ = 0;      // scattering events since then, that first one included
     std::uint16_t bounces_ = 0;
     Emitters emitters_ = Emitters::all;
     float bsdf_pdf_ = 0;                // of the last glossy sample, over the RIS candidates there

@@ -83,13 +83,24 @@ CameraVertex CameraPath::vertex_in_medium(const Vec3& position, const Bsdf& phas
 CameraPath::Crossing CameraPath::cross_medium(std::optional<Hit>& hit, BatchPoints& numbers) {
     const SampledMedium& medium = pass_.scene.media[medium_];
     const Ray way{from_, direction_, hit ? hit->distance : kInfinity};
+    if (medium.glow != nullptr) add_glow(medium, way, numbers);
     if (medium.scatters) {
         if (beyond_) return fly_beyond(medium, way, hit, numbers);
         if (bounces_ < pass_.transport.max_depth)
             CameraPath(*this).look_into(medium, way, numbers.branch());
     }
-    throughput_ *= transmittance(medium, way);
+    const SampledSpectrum left = transmittance(medium, way);
+    throughput_ *= left;
+    media_left_ *= left;
     return Crossing::passed;
+}
+
+/// Adds what media leave of white light from the first surface, or from afar.
+void CameraPath::add_transmittance() {
+    if (!image_.has(Aov::transmittance)) return;
+    const PassScene& scene = pass_.scene;
+    image_.add_feature(pixel_, scene.wavelengths.to_rgb(media_left_ * scene.white) * of_pixel_,
+                       Aov::transmittance);
 }
 
 /// After the first vertex that gathers, a path is scattered or passes.

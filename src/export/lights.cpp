@@ -174,7 +174,8 @@ struct StatementOfLight {
         return placed(matrix_of(turn), statement);
     }
 
-    std::string operator()(const AreaLight&) const { return {}; }  // those are of their shapes
+    std::string operator()(const AreaLight&) const { return {}; }    // those are of their shapes
+    std::string operator()(const MediumLight&) const { return {}; }  // those are of their media
 
 private:
     static std::string placed(const Matrix& to_world, const StatementText& statement) {

@@ -22,14 +22,16 @@ void adjust_scene(SceneDescription& scene, const RenderRequest& request) {
 
 namespace {
 
-/// @throws Error  for an integrator that knows no light from media that scatter.
+/// @throws Error  for an integrator that knows no light from media that scatter or emit.
 void check_media(const Scene& scene, Integrator integrator) {
     if (integrator == Integrator::sppm || integrator == Integrator::path) return;
     const std::vector<Medium>& media = scene.media().all;
-    if (std::any_of(media.begin(), media.end(), scatters))
-        throw Error({"--integrator"},
-                    std::string(name_of(integrator)) + " does not simulate media that scatter",
-                    "use sppm or path");
+    const auto is_lit = [](const Medium& medium) { return scatters(medium) || emits(medium); };
+    if (std::any_of(media.begin(), media.end(), is_lit))
+        throw Error(
+            {"--integrator"},
+            std::string(name_of(integrator)) + " does not simulate media that scatter or emit",
+            "use sppm or path");
 }
 
 }  // namespace

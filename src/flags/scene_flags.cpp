@@ -141,6 +141,23 @@ std::vector<SceneFlag> light_rows() {
     };
 }
 
+std::vector<SceneFlag> pbrt_rows() {
+    return {
+        {.name = "--subsurface",
+         .form = "approximate|walk",
+         .help = "Subsurface scattering as a coat over a diffuse surface of the same albedo, or as "
+                 "a medium below a dielectric (default approximate)",
+         .formats = {SceneFormat::pbrt},
+         .read =
+             [](SceneRequest& r, const std::string& text, const std::string& flag) {
+                 r.import.subsurface =
+                     choice_of<SubsurfaceRule>(text, flag,
+                                               {{"approximate", SubsurfaceRule::approximated},
+                                                {"walk", SubsurfaceRule::walked}});
+             }},
+    };
+}
+
 std::vector<SceneFlag> gltf_rows() {
     return {
         {.name = "--camera",
@@ -219,7 +236,7 @@ std::vector<SceneFlag> part_rows() {
 const std::vector<SceneFlag>& scene_flags() {
     static const std::vector<SceneFlag> kAll = [] {
         std::vector<SceneFlag> all = light_rows();
-        for (auto rows : {gltf_rows(), part_rows()})
+        for (auto rows : {pbrt_rows(), gltf_rows(), part_rows()})
             all.insert(all.end(), rows.begin(), rows.end());
         return all;
     }();

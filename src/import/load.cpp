@@ -30,10 +30,10 @@ void check_given(const SceneRequest& request, SceneFormat format) {
 }
 
 SceneDescription read_as(SceneFormat format, const std::string& path, const SceneRequest& request) {
-    if (path == "-") return read_pbrt_input();
+    if (path == "-") return read_pbrt_input(request.import);
     if (format == SceneFormat::gltf) return read_gltf(path, request.import);
     if (format == SceneFormat::part) return read_part(path, request.import);
-    return read_pbrt(path);
+    return read_pbrt(path, request.import);
 }
 
 }  // namespace

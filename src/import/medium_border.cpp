@@ -45,13 +45,17 @@ void end_at_sphere(SceneDescription& scene, MediumNumber medium, double size) {
 }
 
 void end_outer_medium(SceneDescription& scene) {
-    if (std::none_of(scene.lights.begin(), scene.lights.end(), comes_from_afar)) return;
+    const auto& all = scene.media.all;
+    if (std::none_of(scene.lights.begin(), scene.lights.end(), comes_from_afar) &&
+        std::none_of(all.begin(), all.end(), [](const Medium& m) { return emits(m); }))
+        return;
     if (!may_have_no_end(scene)) return;
     const MediumNumber outer = Scene(scene).outer_medium();
     if (!has_no_end(scene.media.all[outer])) return;
     scene.warnings.add({scene.path},
                        "the medium around the scene has no end, so that no light from afar would "
-                       "come through it: it ends at a sphere of twice the scene's radius");
+                       "come through it, and its own from everywhere: it ends at a sphere of twice "
+                       "the scene's radius");
     end_at_sphere(scene, outer, kOuterOverRadius);
 }
 

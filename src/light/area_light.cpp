@@ -48,7 +48,7 @@ std::optional<DirectSample> sample_by_area(const SurfaceSample& on, const Vec3d&
 
 }  // namespace
 
-Emission AreaLight::sample_emission(const std::array<double, 4>& u, const SceneSphere&) const {
+Emission AreaLight::sample_emission(const EmissionDimensions& u, const SceneSphere&) const {
     PlacedImage::Drawn from;
     if (image) {
         from = image->draw(surface, {u[0], u[1]});

@@ -38,7 +38,7 @@ struct AreaLight {
     /// Alpha of the surface; null if opaque.
     std::shared_ptr<const PartialEmitter> alpha = nullptr;
 
-    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    Emission sample_emission(const EmissionDimensions& u, const SceneSphere&) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,

@@ -5,7 +5,7 @@
 
 namespace sunfleck::engine {
 
-Emission DistantLight::sample_emission(const std::array<double, 4>& u,
+Emission DistantLight::sample_emission(const EmissionDimensions& u,
                                        const SceneSphere& sphere) const {
     return {scene_disc_point(sphere, direction, {u[0], u[1]}), direction, scene_disc_area(sphere),
             Vec3(0), 0};

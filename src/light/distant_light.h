@@ -14,7 +14,7 @@ struct DistantLight {
     Spectrum curve;
     Vec3d direction;  // unit; direction in which the light travels
 
-    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
+    Emission sample_emission(const EmissionDimensions& u, const SceneSphere& sphere) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay&, const SceneSphere& sphere) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,

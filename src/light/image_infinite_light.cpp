@@ -14,7 +14,7 @@ Vec2d place_of(const ImageInfiniteLight& light, const Vec3d& w) {
 
 }  // namespace
 
-Emission ImageInfiniteLight::sample_emission(const std::array<double, 4>& u,
+Emission ImageInfiniteLight::sample_emission(const EmissionDimensions& u,
                                              const SceneSphere& sphere) const {
     const auto drawn = image->draw({u[2], u[3]});
     const Vec3d direction = -to_world.vector(map.direction(drawn.place));

@@ -22,7 +22,7 @@ struct ImageInfiniteLight {
     Affine to_world;  // a rotation, perhaps with a reflection
     DirectionMap map{};
 
-    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
+    Emission sample_emission(const EmissionDimensions& u, const SceneSphere& sphere) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere& sphere) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,

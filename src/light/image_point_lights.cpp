@@ -29,7 +29,7 @@ std::optional<DirectSample> sample_at(const TowardsPoint& way, const TexelLight&
 
 }  // namespace
 
-Emission GoniometricLight::sample_emission(const std::array<double, 4>& u,
+Emission GoniometricLight::sample_emission(const EmissionDimensions& u,
                                            const SceneSphere& sphere) const {
     const auto drawn = image->draw({u[2], u[3]});
     return {position,       to_world.vector(uniform_sphere(drawn.place)), power(sphere), Vec3(0), 0,
@@ -58,8 +58,7 @@ double GoniometricLight::power(const SceneSphere&) const {
     return 4 * kPiDouble * image->mean();
 }
 
-Emission ProjectionLight::sample_emission(const std::array<double, 4>& u,
-                                          const SceneSphere&) const {
+Emission ProjectionLight::sample_emission(const EmissionDimensions& u, const SceneSphere&) const {
     const auto drawn = image->draw({u[2], u[3]});
     const double x = (2 * drawn.place.x - 1) * half.x;
     const double y = (2 * drawn.place.y - 1) * half.y;

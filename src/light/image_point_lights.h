@@ -22,7 +22,7 @@ struct GoniometricLight {
     std::shared_ptr<const LightImage> image;
     Affine to_world;  // a rotation, perhaps with a reflection
 
-    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    Emission sample_emission(const EmissionDimensions& u, const SceneSphere&) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,
@@ -41,7 +41,7 @@ struct ProjectionLight {
     std::shared_ptr<const LightImage> image;  // from projected_image()
     Affine to_world;                          // a rotation, perhaps with a reflection
 
-    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    Emission sample_emission(const EmissionDimensions& u, const SceneSphere&) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,

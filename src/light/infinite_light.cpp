@@ -5,7 +5,7 @@
 
 namespace sunfleck::engine {
 
-Emission InfiniteLight::sample_emission(const std::array<double, 4>& u,
+Emission InfiniteLight::sample_emission(const EmissionDimensions& u,
                                         const SceneSphere& sphere) const {
     const Vec3d direction = uniform_sphere({u[2], u[3]});
     return {scene_disc_point(sphere, direction, {u[0], u[1]}), direction, power(sphere), Vec3(0),

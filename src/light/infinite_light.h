@@ -13,7 +13,7 @@ struct InfiniteLight {
     static constexpr bool comes_from_afar = true;
     Spectrum curve;
 
-    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
+    Emission sample_emission(const EmissionDimensions& u, const SceneSphere& sphere) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay&, const SceneSphere& sphere) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,

@@ -7,6 +7,7 @@
 #include "light/image_infinite_light.h"
 #include "light/image_point_lights.h"
 #include "light/infinite_light.h"
+#include "light/medium_light.h"
 #include "light/point_light.h"
 #include "light/portal_light.h"
 #include "light/spot_light.h"
@@ -19,15 +20,16 @@ namespace sunfleck::engine {
 template <LightModel... Models>
 using LightVariant = std::variant<Models...>;
 
-using Light = LightVariant<PointLight, SpotLight, GoniometricLight, ProjectionLight, DistantLight,
-                           SunLight, InfiniteLight, ImageInfiniteLight, PortalLight, AreaLight>;
+using Light =
+    LightVariant<PointLight, SpotLight, GoniometricLight, ProjectionLight, DistantLight, SunLight,
+                 InfiniteLight, ImageInfiniteLight, PortalLight, AreaLight, MediumLight>;
 
 /// As `sunfleck info` says it.
 inline std::string_view name_of(const Light& light) {
     return std::visit([](const auto& l) { return l.name; }, light);
 }
 
-inline Emission sample_emission(const Light& light, const std::array<double, 4>& u,
+inline Emission sample_emission(const Light& light, const EmissionDimensions& u,
                                 const SceneSphere& sphere) {
     return std::visit([&](const auto& l) { return l.sample_emission(u, sphere); }, light);
 }

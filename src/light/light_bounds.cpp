@@ -99,6 +99,10 @@ LightBounds bounds_of_light(const GoniometricLight& light, double weight) {
     return around(light.position, kAllWays, weight / (4 * kPiDouble));
 }
 
+/// Nothing is chosen to be seen from a point that is not seen from any.
+std::optional<LightBounds> bounds_of_light(const MediumLight&, double) {
+    return {};
+}
 std::optional<LightBounds> bounds_of_light(const DistantLight&, double) {
     return {};
 }

@@ -47,8 +47,9 @@ struct LightRay {
     Vec3d direction;  // unit, away from the light
 };
 
-/// Random numbers in (0,1) of an emission: position (2), direction (2).
-using EmissionDimensions = std::array<double, 4>;
+/// Random numbers in (0,1) of an emission: position (2), direction (2), depth within a medium,
+/// which other lights do not read.
+using EmissionDimensions = std::array<double, 5>;
 /// In their place what the light does not read: any number leads to the same emission.
 inline constexpr double kUnread = std::numeric_limits<double>::quiet_NaN();
 
@@ -70,24 +71,25 @@ struct EnvironmentRadiance {
 };
 
 /// name:       name that `sunfleck info` prints.
-/// emission:   u in (0,1)^4: position (2), direction (2). Continuous in u.
+/// emission:   u in (0,1)^5. Continuous in u.
 /// emission_dimensions: inverse of sample_emission(), within 1e-6; unspecified for a ray that
 ///             sample_emission() cannot return.
 /// emission_pdf: density of sample_emission() at a ray, per m^2 and sr (m^2 across the ray for
-///             lights at infinity); per sr for point lights, per m^2 for distant lights. Exact,
+///             lights at infinity, m^3 in a medium); per sr for point lights, per m^2 for distant
+///             lights. Exact,
 ///             except for images on surfaces: there it ignores the cells of their table.
 /// direct:     samples a direction from `point` to the light, u in (0,1)^2; nothing if the light is
 ///             invisible (behind a one-sided emitter, outside a spot).
-/// power:      emitted flux per unit of the curve (in sr m^2, or m^2 for distant lights).
+/// power:      emitted flux per unit of the curve (in sr m^2, m^2 for distant lights, or sr m^3).
 /// curve:      the emission's spectrum.
 /// comes_from_afar: whether the light is at infinity.
 /// environment_radiance: of infinite lights: radiance at a point from a direction.
 template <class L>
 concept LightModel = std::copyable<L> &&
-    requires(const L& light, const Vec3& p, const Vec2& u2, const std::array<double, 4>& u4,
+    requires(const L& light, const Vec3& p, const Vec2& u2, const EmissionDimensions& u5,
              const LightRay& ray, const SceneSphere& sphere) {
     { L::name } -> std::convertible_to<std::string_view>;
-    { light.sample_emission(u4, sphere) } -> std::same_as<Emission>;
+    { light.sample_emission(u5, sphere) } -> std::same_as<Emission>;
     { light.emission_dimensions(ray, sphere) } -> std::same_as<EmissionDimensions>;
     { light.emission_pdf(ray, sphere) } -> std::same_as<double>;
     { light.sample_direct(p, u2, sphere) } -> std::same_as<std::optional<DirectSample>>;

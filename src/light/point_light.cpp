@@ -6,7 +6,7 @@
 
 namespace sunfleck::engine {
 
-Emission PointLight::sample_emission(const std::array<double, 4>& u, const SceneSphere&) const {
+Emission PointLight::sample_emission(const EmissionDimensions& u, const SceneSphere&) const {
     return {position, uniform_sphere({u[2], u[3]}), 4 * kPiDouble, Vec3(0), 0};
 }
 

@@ -13,7 +13,7 @@ struct PointLight {
     Spectrum curve;
     Vec3d position;
 
-    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    Emission sample_emission(const EmissionDimensions& u, const SceneSphere&) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay&, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,

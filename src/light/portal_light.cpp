@@ -14,7 +14,7 @@ std::optional<PortalWindow> PortalLight::window(const Vec3& from) const {
     return PortalWindow{portal_place(corner), portal_place(corner + Vec3d(extent.x, extent.y, 0))};
 }
 
-Emission PortalLight::sample_emission(const std::array<double, 4>& u,
+Emission PortalLight::sample_emission(const EmissionDimensions& u,
                                       const SceneSphere& sphere) const {
     const LightImage::Drawn drawn = image->through().draw({u[2], u[3]});
     const PortalDirection out = portal_direction(drawn.place);

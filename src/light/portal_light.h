@@ -24,7 +24,7 @@ struct PortalLight {
                    // environment
     Vec2d extent;  // of the portal from the corner along x and y; positive
 
-    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
+    Emission sample_emission(const EmissionDimensions& u, const SceneSphere& sphere) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,

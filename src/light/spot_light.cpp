@@ -48,7 +48,7 @@ struct SpotFlux {
 
 }  // namespace
 
-Emission SpotLight::sample_emission(const std::array<double, 4>& u, const SceneSphere&) const {
+Emission SpotLight::sample_emission(const EmissionDimensions& u, const SceneSphere&) const {
     const SpotFlux flux(*this);
     const DiscPoint disc = concentric_disc_point({u[2], u[3]});
     double versine = disc.radius2 * flux.total();

@@ -26,7 +26,7 @@ struct SpotLight {
     double cos_start = 1;  // full intensity inside; the edge is in between
     SpotEdge edge = SpotEdge::smoothstep;
 
-    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere&) const;
+    Emission sample_emission(const EmissionDimensions& u, const SceneSphere&) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay& ray, const SceneSphere&) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2&,

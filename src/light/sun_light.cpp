@@ -9,8 +9,7 @@ double SunLight::brightness(double radius2) const {
     return horner(darkening, std::sqrt(std::max(0.0, 1 - radius2)));
 }
 
-Emission SunLight::sample_emission(const std::array<double, 4>& u,
-                                   const SceneSphere& sphere) const {
+Emission SunLight::sample_emission(const EmissionDimensions& u, const SceneSphere& sphere) const {
     const DiscPoint disc = concentric_disc_point({u[2], u[3]});
     const Vec3d way = rotate_z_to(direction, around_pole(disc, disc.radius2 * versine));
     return {scene_disc_point(sphere, way, {u[0], u[1]}), way,

@@ -20,7 +20,7 @@ struct SunLight {
     /// in the middle, zero at the limb. Its mean over the disc is one.
     std::array<double, 6> darkening{1};
 
-    Emission sample_emission(const std::array<double, 4>& u, const SceneSphere& sphere) const;
+    Emission sample_emission(const EmissionDimensions& u, const SceneSphere& sphere) const;
     EmissionDimensions emission_dimensions(const LightRay& ray, const SceneSphere& sphere) const;
     double emission_pdf(const LightRay&, const SceneSphere& sphere) const;
     std::optional<DirectSample> sample_direct(const Vec3& point, const Vec2& u,

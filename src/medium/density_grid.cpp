@@ -78,6 +78,11 @@ DensityGrid DensityGrid::moved(const Vec3d& by) const {
     return {voxels_, bounds_, there};
 }
 
+DensityGrid DensityGrid::whole() const {
+    const Voxel& cells = voxels_->cells();
+    return {voxels_, {Vec3d(0), Vec3d(cells[0], cells[1], cells[2])}, to_world_};
+}
+
 LatticeLine DensityGrid::line_of(const Ray& way) const {
     return {to_grid_.point(Vec3d(way.origin)), to_grid_.vector(Vec3d(way.direction)), way.length,
             bounds_};

@@ -35,6 +35,12 @@ public:
     float mean() const;
     /// Returns the same density elsewhere in the world.
     DensityGrid moved(const Vec3d& by) const;
+    /// Returns the same density on the whole lattice, also where it ends within a cell.
+    DensityGrid whole() const;
+    const VoxelBlocks& voxels() const { return *voxels_; }
+    /// Returns the map from the lattice.
+    const Affine& to_world() const { return to_world_; }
+    const Affine& to_grid() const { return to_grid_; }
 
 private:
     LatticeLine line_of(const Ray& way) const;

@@ -7,6 +7,7 @@
 #include "geometry/ray.h"
 #include "math/spectrum.h"
 #include "medium/density.h"
+#include "medium/glow.h"
 
 #include <memory>
 
@@ -17,6 +18,7 @@ struct Medium {
     Spectrum scattering;                               // the same
     float g = 0;                                       // of HenyeyGreenstein
     std::shared_ptr<const Density> density = nullptr;  // factor of both; null: one everywhere
+    std::shared_ptr<const Glow> glow = nullptr;        // null: none
 };
 
 /// A medium at the wavelengths of a pass.
@@ -26,6 +28,8 @@ struct SampledMedium {
     HenyeyGreenstein phase;
     bool scatters = false;             // at any wavelength of any pass
     const Density* density = nullptr;  // of the Medium, which must outlive this
+    const Glow* glow = nullptr;        // the same
+    SampledSpectrum glow_radiance{};
 };
 
 /// Returns whether it scatters light at all.
@@ -38,7 +42,9 @@ inline SampledMedium sampled(const Medium& medium, const Wavelengths& wavelength
             medium.scattering.at(wavelengths),
             {medium.g},
             scatters(medium),
-            medium.density.get()};
+            medium.density.get(),
+            medium.glow.get(),
+            medium.glow ? medium.glow->radiance.at(wavelengths) : SampledSpectrum()};
 }
 
 /// Returns the integral of the density along a way, in units of length: light is absorbed and

@@ -6,6 +6,7 @@
 // block whose values are all the same is one number.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
@@ -47,6 +48,17 @@ public:
         const std::uint32_t entry = table_[number_of(at)];
         if ((entry & kHasValues) == 0) return {nullptr, std::bit_cast<float>(entry)};
         return {values_.data() + kValues * (entry - kHasValues), 0};
+    }
+    /// @param point  at most cells().
+    float value(const Voxel& point) const {
+        const auto block_of = [&](std::size_t axis) {
+            return std::min(point[axis] / kCells, blocks_[axis] - 1);
+        };
+        const Voxel at = {block_of(0), block_of(1), block_of(2)};
+        const Block found = block(at);
+        if (!found.values) return found.constant;
+        return found.values[place(point[0] - at[0] * kCells, point[1] - at[1] * kCells,
+                                  point[2] - at[2] * kCells)];
     }
     /// Returns the place of a point in the values of its block.
     static constexpr int place(int x, int y, int z) { return x + kPoints * (y + kPoints * z); }

@@ -11,6 +11,7 @@
 #include "aovs/statistics.h"
 #include "aovs/transport.h"
 #include "photon/path_end.h"
+#include "photon/photon_emission.h"
 #include "photon/photon_flight.h"
 #include "photon/scattering_event.h"
 #include "scene/pass_scene.h"
@@ -54,7 +55,7 @@ public:
     /// @return false if nothing is emitted.
     template <PrimarySampleReader Reader>
     bool start(Reader& read, PhotonState& state) const {
-        const std::optional<Emission> from = emit(read, state);
+        const std::optional<Emission> from = emit(read, pass_, transport_, lights_, state);
         if (!from) return false;
         state.origin = from->origin;
         state.first_direction = from->direction;
@@ -172,10 +173,12 @@ private:
     std::optional<PathEnd> scatter_in_medium(Reader& read, Visitor& visit,
                                              const SampledMedium& medium, float distance,
                                              PhotonState& state) const {
-        if (distance < state.unlit || is_left_to_camera(state)) return PathEnd::absorbed;
+        const bool is_last = is_left_to_camera(state);
+        if (distance < state.unlit || (is_last && !is_of_medium(state))) return PathEnd::absorbed;
         move_on(distance, state);
         const Photon photon = photon_in_medium(state);
         visit(photon);
+        if (is_last) return PathEnd::absorbed;
         if (state.bounces + 1 >= transport_.max_depth) return PathEnd::too_long;
         if (!scatter_at(read, medium.phase, point_in_medium(photon.position), state))
             return PathEnd::absorbed;
@@ -206,9 +209,12 @@ private:
                                                                   const Bsdf& bsdf, const Hit& hit,
                                                                   PhotonState& state) const {
         if (is_left_to_camera(state)) {
-            if (scattering(bsdf) == Scattering::diffuse) return PathEnd::absorbed;
-            if (const auto* coated = std::get_if<CoatedDiffuse>(&bsdf))
-                return interact_with_coat(read, *coated, hit, state);
+            const auto* coated = std::get_if<CoatedDiffuse>(&bsdf);
+            const bool is_diffuse = scattering(bsdf) == Scattering::diffuse;
+            if ((is_diffuse || coated != nullptr) && is_of_medium(state))
+                visit(photon_at(hit, state));
+            if (is_diffuse) return PathEnd::absorbed;
+            if (coated != nullptr) return interact_with_coat(read, *coated, hit, state);
         }
         const auto* lambert = std::get_if<Lambert>(&bsdf);
         const bool gathers = lambert != nullptr || pass_.may_gather(pass_.scene.material_of(hit));
@@ -243,29 +249,6 @@ private:
         std::optional<Bsdf> room;
         const Bsdf& bsdf = pass_.bsdf_at(bent, room);
         return interact(read, visit, bsdf, bent, state);
-    }
-
-    /// Samples the light and the first ray; sets flux and direction.
-    template <PrimarySampleReader Reader>
-    std::optional<Emission> emit(Reader& read, PhotonState& state) const {
-        const auto unit = [&](EmissionDimension which) { return to_unit(read(dimension(which))); };
-        if (lights_.empty()) return {};
-        const auto choice = lights_.choose(unit(EmissionDimension::light));
-        Emission start = sample_emission(
-            pass_.scene.lights()[choice.index],
-            {unit(EmissionDimension::position_u), unit(EmissionDimension::position_v),
-             unit(EmissionDimension::direction_u), unit(EmissionDimension::direction_v)},
-            pass_.scene.sphere());
-        if (!(start.factor > 0)) return {};  // from a black texel of an image
-        state.light_group = transport_.light_groups.of(choice.index);
-        const Vec3d normal(start.normal);
-        start.origin += normal * (normal.dot(start.direction) < 0 ? -start.error : start.error);
-        state.flux =
-            pass_.emission[choice.index] * static_cast<float>(start.factor / choice.probability);
-        if (start.rgb) state.flux = pass_.coloured(state.flux, start.rgb);
-        if (has_media_) state.medium = pass_.start_medium(choice.index, start, state.flux);
-        state.direction = Vec3(start.direction);
-        return start;
     }
 
     /// Applies one scattering event. @return false if the photon is absorbed.

@@ -69,6 +69,7 @@ private:
     std::optional<float> cross_medium(const Ray& way) {
         if (!scene_.has_media()) return {};
         const SampledMedium& medium = pass_.scene.media[medium_];
+        if (medium.glow != nullptr) add_glow(medium, way);
         if (!medium.scatters) {
             throughput_ *= transmittance(medium, way);
             return {};
@@ -77,6 +78,22 @@ private:
         throughput_ *= flight.weight;
         if (!flight.is_scattered) return {};
         return flight.distance;
+    }
+
+    /// Adds what the medium emits where a second flight is stopped, be it absorbed or scattered.
+    void add_glow(const SampledMedium& medium, const Ray& way) {
+        SampledMedium stopping = medium;
+        stopping.scattering += medium.absorption;
+        stopping.absorption = SampledSpectrum(0);
+        const Flight flight = fly(stopping, way, throughput_, static_cast<float>(number()));
+        if (!flight.is_scattered) return;
+        SampledSpectrum light =
+            flight.weight *
+            glow_at(medium, pass_.scene.wavelengths, way.origin + way.direction * flight.distance);
+        for (std::size_t i = 0; i < kWavelengths; ++i)
+            light[i] *=
+                stopping.scattering[i] > 0 ? medium.absorption[i] / stopping.scattering[i] : 0;
+        sum_ += throughput_ * light;
     }
 
     void add_emitters_beyond(const Vec3& direction) {

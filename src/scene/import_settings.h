@@ -18,6 +18,10 @@ enum class UpAxis { y, z };
 /// Unit of emission in glTF.
 enum class EmissionUnit { nit, watt };
 
+/// What pbrt-v4's subsurface scattering becomes: a coat over a diffuse surface, or a medium below a
+/// dielectric.
+enum class SubsurfaceRule { approximated, walked };
+
 struct ImportSettings {
     /// Name of the camera, or its number from 1; empty for the first.
     std::string camera{};
@@ -33,6 +37,7 @@ struct ImportSettings {
     /// Name of the material of parts that have none, as in the table of named materials.
     std::string material{};
     bool ground = true;  // under OBJ, STL and PLY
+    SubsurfaceRule subsurface = SubsurfaceRule::approximated;
 };
 
 }  // namespace sunfleck::engine

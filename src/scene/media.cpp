@@ -18,6 +18,10 @@ bool acts(const Medium& medium) {
     return is_anywhere(medium.absorption) || is_anywhere(medium.scattering);
 }
 
+bool emits(const Medium& medium) {
+    return medium.glow && is_anywhere(medium.glow->radiance) && is_anywhere(medium.absorption);
+}
+
 bool Media::act() const {
     return std::any_of(all.begin(), all.end(), acts);
 }

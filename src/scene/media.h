@@ -32,6 +32,8 @@ struct MediumSides {
 
 /// Returns whether a medium absorbs or scatters.
 bool acts(const Medium& medium);
+/// Returns whether a medium emits: what absorbs nothing does not glow.
+bool emits(const Medium& medium);
 
 /// All media of a scene, and those in which paths start.
 struct Media {

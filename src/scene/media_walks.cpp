@@ -103,7 +103,8 @@ MediaWalks::MediaWalks(const Surfaces& surfaces, const PathOrigins& origins, con
     const SceneLights& lights = origins.lights;
     for (const LightRange& source : lights.sources()) {
         const Light& light = lights.all()[source.first];
-        if (!comes_from_afar(light) && power(light, lights.sphere()) > 0)
+        if (comes_from_afar(light) || std::holds_alternative<MediumLight>(light)) continue;
+        if (power(light, lights.sphere()) > 0)
             starts_.push_back(start_at(source, light, surfaces, stated));
     }
 }

@@ -41,6 +41,10 @@ PassScene::PassScene(const Scene& of, PassId pass)
     for (const Medium& medium : of.media().all) media.push_back(sampled(medium, wavelengths));
     phases_ = static_cast<std::uint32_t>(materials) + kept_.add(media.front().phase);
     for (std::size_t i = 1; i < media.size(); ++i) kept_.add(media[i].phase);
+    light_of_medium_.assign(media.size(), kNone);
+    for (std::uint32_t i = 0; i < emission.size(); ++i)
+        if (const auto* light = std::get_if<MediumLight>(&of.lights()[i]))
+            light_of_medium_[light->medium] = i;
     parallel_blocks(emission.size(), 256, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             emission[i] = curve(of.lights()[i]).at(wavelengths);
@@ -54,6 +58,15 @@ bool PassScene::find_whether_gathers(std::uint32_t material) const {
     for (const auto* constant : {&bsdfs[material], &bent_[material]})
         if (*constant) return scattering(**constant) != Scattering::specular;
     return sunfleck::engine::may_gather(here);
+}
+
+std::optional<SampledSpectrum> PassScene::glow_at(const MediumLight& light,
+                                                  const Vec3& point) const {
+    const SampledMedium& medium = media[light.medium];
+    const float drawn = light.density->at(point);
+    if (!(drawn > 0) || scene.medium_around(point) != light.medium) return {};
+    return sunfleck::engine::glow_at(medium, wavelengths, point) * medium.absorption *
+           (density_at(medium, point) / drawn);
 }
 
 MediumNumber PassScene::start_medium(std::size_t light, const Emission& start,

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "medium/free_path.h"
+#include "medium/glow_along.h"
 #include "scene/bsdf_store.h"
 #include "scene/scene.h"
 
@@ -47,6 +48,11 @@ struct PassScene {
         return coloured(emission[index] * static_cast<float>(here.luminance), here.rgb);
     }
 
+    /// Returns what the medium of a light emits at a point, over the density of the light there;
+    /// nothing where there is another medium.
+    std::optional<SampledSpectrum> glow_at(const MediumLight& light, const Vec3& point) const;
+    /// Returns the light of a medium that emits.
+    std::uint32_t light_of(MediumNumber medium) const { return light_of_medium_[medium]; }
     /// Returns what a medium leaves of light on a way, whose length may be infinite.
     SampledSpectrum transmittance(MediumNumber medium, const Ray& way) const {
         return sunfleck::engine::transmittance(media[medium], way);
@@ -83,6 +89,7 @@ private:
 
     bool find_whether_gathers(std::uint32_t material) const;
 
+    std::vector<std::uint32_t> light_of_medium_;
     std::vector<char> may_gather_;           // per material
     std::vector<std::optional<Bsdf>> bent_;  // per material: constant, with a bump or normal map
     std::vector<std::uint32_t> layers_;      // per material: number of the base under a coat

@@ -46,8 +46,9 @@ void move(L& light, const Vec3d& by) {
     } else if constexpr (requires { light.frame.origin; }) {
         light.frame.origin += by;
     } else {
-        // These have directions alone; area lights are made from shapes after the translation.
-        static_assert(L::comes_from_afar || std::is_same_v<L, AreaLight>);
+        // These have directions alone; lights of shapes and media are made after the translation.
+        static_assert(L::comes_from_afar || std::is_same_v<L, AreaLight> ||
+                      std::is_same_v<L, MediumLight>);
     }
 }
 
@@ -68,6 +69,21 @@ void move_objects(SceneDescription& scene) {
     }
 }
 
+std::shared_ptr<const Density> moved(const std::shared_ptr<const Density>& density,
+                                     const Vec3d& by) {
+    return density ? std::make_shared<const Density>(moved(*density, by)) : nullptr;
+}
+
+std::shared_ptr<const Glow> moved(const std::shared_ptr<const Glow>& glow, const Vec3d& by) {
+    Glow there = *glow;
+    there.factor = moved(there.factor, by);
+    if (there.heat)
+        there.heat =
+            Heat{moved(there.heat->grid, by), there.heat->zero, there.heat->kelvin_per_unit};
+    if (there.power) there.power = std::make_shared<const DensityGrid>(there.power->moved(by));
+    return std::make_shared<const Glow>(std::move(there));
+}
+
 /// Alpha textures use world coordinates.
 void move_covers(Shapes& shapes, const Vec3d& origin) {
     for (ShapeDescription& shape : shapes)
@@ -83,9 +99,10 @@ Vec3d move_to_rendering_space(SceneDescription& scene) {
     move(scene.shapes, -origin);
     for (InstanceDescription& instance : scene.instances) move(instance.to_world, -origin);
     for (Light& light : scene.lights) std::visit([&](auto& one) { move(one, -origin); }, light);
-    for (Medium& medium : scene.media.all)
-        if (medium.density)
-            medium.density = std::make_shared<const Density>(moved(*medium.density, -origin));
+    for (Medium& medium : scene.media.all) {
+        if (medium.density) medium.density = moved(medium.density, -origin);
+        if (medium.glow) medium.glow = moved(medium.glow, -origin);
+    }
     move_to(origin, scene.camera);
     move_covers(scene.shapes, origin);
     for (Shapes& object : scene.objects) move_covers(object, origin);

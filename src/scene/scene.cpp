@@ -4,6 +4,7 @@
 #include "geometry/extent.h"
 #include "scene/area_lights.h"
 #include "scene/media_check.h"
+#include "scene/medium_lights.h"
 #include "scene/outer_medium.h"
 #include "scene/rendering_space.h"
 #include "scene/transmission.h"
@@ -83,11 +84,13 @@ void Scene::place_view() {
     const CameraView view{camera_, film_.resolution};
     exchanged_ = mend_media(surfaces_, media_, {view, *lights_}, before_views_->places, warnings_);
     outer_medium_ = outer_medium_of(surfaces_, view, media_.at_camera);
+    last_medium_ = medium_behind_all(surfaces_, Vec3(view.middle_ray().origin), media_.at_camera);
     for (std::size_t i = 0; i < lights().size(); ++i)
         if (comes_from_afar(lights()[i])) media_.at_lights[i] = {outer_medium_, outer_medium_};
 }
 
 Surfaces Scene::take_shapes(SceneDescription& description, const std::string& isa) {
+    if (has_media_) add_medium_lights(description);
     const std::vector<Material>& materials = description.materials;
     GeometryInput input;
     std::vector<ShapeRecord> records;
@@ -153,7 +156,8 @@ void Scene::find_darkness() {
     else if (!lights_->has_power())
         darken("no light of the scene has any power (L, I or scale is 0)");
     else if (geometry().bounds().is_empty() && infinite_lights().empty() &&
-             std::none_of(media_.all.begin(), media_.all.end(), scatters))
+             std::none_of(media_.all.begin(), media_.all.end(),
+                          [](const Medium& m) { return scatters(m) || emits(m); }))
         darken("the scene has no shape and no infinite light: nothing can be seen");
 }
 

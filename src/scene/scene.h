@@ -6,6 +6,7 @@
 
 #include "scene/description.h"
 #include "scene/media_check.h"
+#include "scene/medium_around.h"
 #include "scene/scene_lights.h"
 #include "scene/surfaces.h"
 
@@ -74,6 +75,10 @@ public:
     const Media& media() const { return media_; }
     /// Returns the medium around the scene.
     MediumNumber outer_medium() const { return outer_medium_; }
+    /// Returns the medium around a point.
+    MediumNumber medium_around(const Vec3& point) const {
+        return sunfleck::engine::medium_around(surfaces_, point, last_medium_);
+    }
     bool separates_media(const Hit& hit) const { return surfaces_.separates_media(hit); }
     /// Returns the medium of a path that leaves a hit into `direction`. @param before  medium of
     /// the path before.
@@ -93,6 +98,7 @@ private:
     bool has_media_ = false;
     Media media_;
     MediumNumber outer_medium_ = 0;
+    MediumNumber last_medium_ = 0;  // behind all surfaces, be they opaque
     std::vector<BumpMap> bump_maps_;
     std::shared_ptr<SceneLights> lights_;
     Surfaces surfaces_;

@@ -37,6 +37,8 @@ void SceneLights::finish(const SceneSphere& sphere) {
         weights.push_back(weight_of(all_[i], sphere_));
     }
     choice_ = LightChoice(weights);
+    for (std::size_t i = 0; i < all_.size(); ++i)
+        if (std::holds_alternative<MediumLight>(all_[i])) weights[i] = 0;
     tree_ = LightTree(all_, weights);
 }
 

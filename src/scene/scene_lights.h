@@ -35,7 +35,8 @@ public:
     const std::vector<std::uint32_t>& stated_in() const { return stated_in_; }
     /// Returns the selection by power, used for photon paths.
     const LightChoice& choice() const { return choice_; }
-    /// Returns the selection by estimated contribution, used for direct light.
+    /// Returns the selection by estimated contribution, used for direct light: of those that can be
+    /// sampled from a point, all but MediumLight.
     const LightTree& tree() const { return tree_; }
     const SceneSphere& sphere() const { return sphere_; }
     /// Returns whether there are lights that a ray can hit (area, infinite).

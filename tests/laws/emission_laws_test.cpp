@@ -13,8 +13,8 @@ using namespace testing_support;
 
 class EmissionLaws : public testing::TestWithParam<LightExample> {
 protected:
-    std::array<double, 4> random_4d() {
-        std::array<double, 4> u{};
+    EmissionDimensions random_numbers() {
+        EmissionDimensions u{};
         for (double& x : u) x = random_.next();
         return u;
     }
@@ -33,6 +33,8 @@ double emitted(const Light& light, const Emission& e) {
             area->image ? area->image->at(area->surface, e.origin, normal).luminance : 1;
         return radiance * std::abs(normal.dot(e.direction));
     }
+    if (const auto* medium = std::get_if<MediumLight>(&light))
+        return static_cast<double>(medium->density->at(Vec3(e.origin)));
     // Within, past the portal of those that have one.
     const Vec3 within(e.origin + e.direction * (e.unlit + 0.01));
     if (is_infinite(light))
@@ -53,11 +55,11 @@ TEST_P(EmissionLaws, rays_lead_back_to_their_numbers) {
     };
     int missed = 0;
     for (int i = 0; i < kSamples; ++i) {
-        const Emission e = sample_emission(light_, random_4d(), kExampleSphere);
+        const Emission e = sample_emission(light_, random_numbers(), kExampleSphere);
         EmissionDimensions u =
             emission_dimensions(light_, {e.origin, e.normal, e.direction}, kExampleSphere);
         for (double& x : u)
-            if (std::isnan(x)) x = random_4d()[0];  // kUnread
+            if (std::isnan(x)) x = random_numbers()[0];  // kUnread
         for (const double x : u) ASSERT_TRUE(x >= -1e-6 && x <= 1 + 1e-6) << x;
         if (!(apart(e, sample_emission(light_, u, kExampleSphere)) < 2e-5)) ++missed;
     }
@@ -77,7 +79,7 @@ TEST_P(EmissionLaws, factor_times_density_is_what_is_emitted) {
     const bool pictured = area != nullptr && area->image != nullptr;
     int apart = 0;
     for (int i = 0; i < kSamples; ++i) {
-        const Emission e = sample_emission(light_, random_4d(), kExampleSphere);
+        const Emission e = sample_emission(light_, random_numbers(), kExampleSphere);
         const double expected = emitted(light_, e);
         const double product = e.factor * density(light_, e);
         if (!(std::abs(product - expected) <= (pictured ? 0.2 : 1e-4) * expected)) ++apart;
@@ -93,7 +95,7 @@ TEST_P(EmissionLaws, density_integrates_to_one) {
     const bool pictured = area != nullptr && area->image != nullptr;
     double sum = 0;
     for (int i = 0; i < kSamples; ++i) {
-        const Emission e = sample_emission(light_, random_4d(), kExampleSphere);
+        const Emission e = sample_emission(light_, random_numbers(), kExampleSphere);
         const double here = emitted(light_, e);
         if (here > 0) sum += e.factor * density(light_, e) / here;
     }
@@ -103,7 +105,7 @@ TEST_P(EmissionLaws, density_integrates_to_one) {
 TEST_P(EmissionLaws, one_sided_surfaces_emit_nothing_backwards) {
     const auto* area = std::get_if<AreaLight>(&light_);
     if (area == nullptr) return;
-    const Emission e = sample_emission(light_, random_4d(), kExampleSphere);
+    const Emission e = sample_emission(light_, random_numbers(), kExampleSphere);
     const double back = emission_pdf(light_, {e.origin, e.normal, -e.direction}, kExampleSphere);
     EXPECT_EQ(back > 0, area->two_sided);
 }

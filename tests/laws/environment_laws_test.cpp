@@ -53,7 +53,7 @@ TEST_P(EnvironmentLaws, all_ways_bring_the_same_colour) {
         sums.at(way) += Vec3d(rgb.value_or(Vec3(1))) * factor / kSamples;
     };
     for (int i = 0; i < kSamples; ++i) {
-        const std::array<double, 4> u = {0.5, 0.5, random_.next(), random_.next()};
+        const EmissionDimensions u = {0.5, 0.5, random_.next(), random_.next()};
         const Emission e = sample_emission(light(), u, kExampleSphere);
         add(0, is_portal ? 0 : e.factor / disc, e.rgb);
         const auto s = sample_direct(light(), GetParam().point, random_2d(), kExampleSphere);

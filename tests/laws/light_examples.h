@@ -5,6 +5,7 @@
 #include "light/light.h"
 #include "light/surface_image.h"
 #include "math/warp.h"
+#include "medium/density_samples.h"
 
 #include <functional>
 #include <ostream>
@@ -246,6 +247,15 @@ inline std::vector<LightExample> pictured_examples() {
     return all;
 }
 
+/// Glowing smoke in a box above the disc, dark in a corner.
+inline Light example_smoke() {
+    std::vector<float> values(std::size_t{4} * 3 * 5);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        values[i] = i % 4 == 3 || i > 50 ? 0 : 1 + static_cast<float>(i * 7 % 5);
+    const Affine box(placed({-0.6, -0.4, 1.1}, {1.4, 1.1, 0.8}, 0.3, 0.5));
+    return MediumLight({}, 1, density_of_points(values, {3, 2, 4}, box).whole());
+}
+
 inline std::vector<LightExample> light_examples() {
     std::vector<LightExample> all = infinite_examples();
     all.push_back(plain_example("point", PointLight{{}, Vec3d(0.8, -0.3, 1.4)}));
@@ -264,6 +274,7 @@ inline std::vector<LightExample> light_examples() {
     spot.cos_total = -0.5;
     all.push_back(plain_example("spot_without_core", spot));
     all.push_back(plain_example("distant", DistantLight{{}, Vec3d(0.4, 0.5, -1).normalized()}));
+    all.push_back({"smoke", example_smoke});
     all.push_back(area_example("triangle", example_triangle(true)));
     all.push_back(area_example("two_sided_triangle", example_triangle(false), true));
     for (const LightExample& example : picture_examples()) all.push_back(example);

@@ -25,6 +25,7 @@ protected:
     const Light& light() const { return light_; }
     const AreaLight* area_light() const { return std::get_if<AreaLight>(&light()); }
     Vec2 random_2d() { return {random_.next_float(), random_.next_float()}; }
+    double irradiance_at(const Vec3d& point, const Vec3d& normal);
 
     const Light light_ = GetParam().make();
     RandomStream random_{6, Purpose::test, 0, 0};
@@ -57,19 +58,21 @@ TEST_P(LightLaws, emitted_factors_add_up_to_the_power) {
     for (int y = 0; y < kSide; ++y)
         for (int x = 0; x < kSide; ++x) {
             const Vec2d on((x + 0.5) / kSide, (y + 0.5) / kSide);
-            const std::array<double, 4> u = {on.x, on.y, on.y, on.x};
+            const EmissionDimensions u = {on.x, on.y, on.y, on.x};
             sum += sample_emission(light(), u, kExampleSphere).factor;
         }
     const double expected = power(light(), kExampleSphere);
-    const bool pictured = area_light() != nullptr ? area_light()->image != nullptr
-                                                  : std::holds_alternative<PortalLight>(light());
+    const bool pictured = area_light() != nullptr
+                              ? area_light()->image != nullptr
+                              : std::holds_alternative<PortalLight>(light()) ||
+                                    std::holds_alternative<MediumLight>(light());
     EXPECT_NEAR(sum / (kSide * kSide), expected, (pictured ? 2e-3 : 1e-4) * expected);
 }
 
 TEST_P(LightLaws, emission_leaves_the_emitting_side) {
     for (int i = 0; i < 10000; ++i) {
-        const std::array<double, 4> u = {random_.next(), random_.next(), random_.next(),
-                                         random_.next()};
+        const EmissionDimensions u = {random_.next(), random_.next(), random_.next(),
+                                      random_.next(), random_.next()};
         const Emission e = sample_emission(light(), u, kExampleSphere);
         ASSERT_NEAR(e.direction.length(), 1, 1e-14);
         ASSERT_EQ(area_light() != nullptr, e.normal.length() > 0.5F);
@@ -207,6 +210,24 @@ TEST_P(LightLaws, inverse_pdf_measures_the_solid_angle) {
     EXPECT_GT(chi_square_p(statistic, bins), kSignificance) << statistic << " of " << bins;
 }
 
+/// Returns an estimate of the irradiance: by a direct sample, or by a point of a medium.
+double LightLaws::irradiance_at(const Vec3d& point, const Vec3d& normal) {
+    const auto above = [&](const Vec3d& way) { return std::max(0.0, way.dot(normal)); };
+    if (const auto* medium = std::get_if<MediumLight>(&light())) {
+        const Affine& map = medium->density->to_world();
+        const Voxel& cells = medium->density->voxels().cells();
+        const Vec3d in_lattice(random_.next() * cells[0], random_.next() * cells[1],
+                               random_.next() * cells[2]);
+        const Vec3d at = map.point(in_lattice);
+        const double volume = std::abs(map.determinant()) * cells[0] * cells[1] * cells[2];
+        const double distance2 = (at - point).length2();
+        return above((at - point).normalized()) / distance2 * volume *
+               static_cast<double>(medium->density->at(Vec3(at)));
+    }
+    const auto s = sample_direct(light(), Vec3(point), random_2d(), kExampleSphere);
+    return s ? above(Vec3d(s->direction)) * static_cast<double>(s->factor) : 0;
+}
+
 /// Flux through a disc: photons that cross it against direct samples on it. Sees 5% (with 32
 /// times the samples, all agreed within 0.3%).
 TEST_P(LightLaws, photons_bring_what_direct_samples_promise) {
@@ -217,8 +238,8 @@ TEST_P(LightLaws, photons_bring_what_direct_samples_promise) {
     std::array<Vec2d, 2> sums = {Vec2d(0), Vec2d(0)};  // photons, direct: sum, sum of squares
     const auto add = [](Vec2d& sum, double x) { sum += Vec2d(x, x * x); };
     for (int i = 0; i < kSamples; ++i) {
-        const std::array<double, 4> u = {random_.next(), random_.next(), random_.next(),
-                                         random_.next()};
+        const EmissionDimensions u = {random_.next(), random_.next(), random_.next(),
+                                      random_.next(), random_.next()};
         const Emission e = sample_emission(light(), u, kExampleSphere);
         const double t = (point - e.origin).dot(normal) / e.direction.dot(normal);
         const bool front = e.direction.dot(normal) < 0;
@@ -228,10 +249,7 @@ TEST_P(LightLaws, photons_bring_what_direct_samples_promise) {
         if (i % 4 != 0) continue;
         const Vec2d disc = concentric_disc({random_.next(), random_.next()}) * kRadius;
         const Vec3d on = point + rotate_z_to(normal, {disc.x, disc.y, 0});
-        const auto s = sample_direct(light(), Vec3(on), random_2d(), kExampleSphere);
-        const double cosine = s ? Vec3d(s->direction).dot(normal) : 0;
-        const double area = kPiDouble * kRadius * kRadius;
-        add(sums[1], cosine > 0 ? static_cast<double>(s->factor) * cosine * area : 0);
+        add(sums[1], irradiance_at(on, normal) * kPiDouble * kRadius * kRadius);
     }
     std::array<double, 2> mean{};
     double variance = 0;

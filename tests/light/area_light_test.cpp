@@ -205,7 +205,7 @@ TEST(AreaLight, that_is_there_in_part_shines_as_far_as_it_is) {
         ASSERT_TRUE(part && all);
         const float x = 0.5F + part->direction.x * part->distance;
         EXPECT_NEAR(part->factor / all->factor, x < 1 ? 1.0F / 3 : 1.0F, 1e-5F) << x;
-        const std::array<double, 4> numbers = {u, 0.4, 0.3, 0.2};
+        const EmissionDimensions numbers = {u, 0.4, 0.3, 0.2};
         const Emission emitted = light.sample_emission(numbers, {});
         EXPECT_NEAR(emitted.factor / whole.sample_emission(numbers, {}).factor,
                     emitted.origin.x < 1 ? 1.0 / 3 : 1.0, 1e-5);

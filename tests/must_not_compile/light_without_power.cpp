@@ -9,7 +9,7 @@ struct Powerless {
     static constexpr bool comes_from_afar = false;
     Spectrum curve;
 
-    Emission sample_emission(const std::array<double, 4>&, const SceneSphere&) const { return {}; }
+    Emission sample_emission(const EmissionDimensions&, const SceneSphere&) const { return {}; }
     EmissionDimensions emission_dimensions(const LightRay&, const SceneSphere&) const { return {}; }
     double emission_pdf(const LightRay&, const SceneSphere&) const { return 0; }
     std::optional<DirectSample> sample_direct(const Vec3&, const Vec2&, const SceneSphere&) const {

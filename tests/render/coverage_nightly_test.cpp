@@ -114,7 +114,8 @@ TEST_P(Coverage, of_blocks_is_that_of_their_intervals) {
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Coverage,
                          testing::Values(Case{"cornell", "cornell", 1000, 64},
-                                         Case{"cognac_2", "cognac-2", 20'000, 72}),
+                                         Case{"cognac_2", "cognac-2", 20'000, 72},
+                                         Case{"smoke", "smoke", 2000, 64}),
                          [](const auto& info) { return info.param.name; });
 
 class EarlyCoverage : public Coverage {
@@ -164,7 +165,8 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EarlyCoverage,
                          testing::Values(early("cornell"), early("room"), early("iced-tea"),
                                          early("window-room"), early("cognac-2"), early("cognac-4"),
                                          early("statue-near"), early("diamond"), early("magnifier"),
-                                         early("two-windows"), early_small("cornell"),
+                                         early("two-windows"), early("light-shafts"),
+                                         early("smoke"), early("fog-lamp"), early_small("cornell"),
                                          early_small("room"), early_small("cognac-2"),
                                          early_small("window-room")),
                          [](const auto& info) { return info.param.name; });

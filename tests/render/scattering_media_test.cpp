@@ -1,5 +1,5 @@
 // Media that scatter, against closed forms, on every kind of path.
-#include "support/renders.h"
+#include "render/media_ways.h"
 
 #include <gtest/gtest.h>
 
@@ -18,30 +18,6 @@ std::string fog(double absorption, double scattering, double g) {
            std::to_string(g) + "\nMediumInterface \"\" \"fog\"\n";
 }
 
-struct Way {
-    const char* name;
-    Integrator integrator = Integrator::sppm;
-    DirectLight direct = DirectLight::sampled;
-    IndirectLight indirect = IndirectLight::photons;
-    PhotonSampler sampler = PhotonSampler::uniform;
-    int renders = 8;
-};
-
-Estimate brightness(const Scene& scene, const Way& way, int max_depth) {
-    RenderSettings settings;
-    settings.integrator = way.integrator;
-    settings.transport.direct = way.direct;
-    settings.transport.indirect = way.indirect;
-    settings.transport.max_depth = max_depth;
-    settings.photon.sampler = way.sampler;
-    settings.photon.paths_per_pass = 10'000;
-    settings.camera.radius = 0.1;
-    return Estimate::over(way.renders, [&](int i) {
-        settings.seed = static_cast<std::uint64_t>(i);
-        return luminance(render_mean(scene, settings, 16).mean());
-    });
-}
-
 class ScatteringMedia : public ::testing::TestWithParam<Way> {};
 
 /// In a black sphere whose wall emits 1, full of a medium that only scatters, every ray carries 1:
@@ -51,7 +27,7 @@ TEST_P(ScatteringMedia, that_absorb_nothing_cannot_be_seen_in_a_furnace) {
         fog(0, 1.5, 0.6) + view("0 0 0  0 0 1  0 1 0", 60, 6) +
         "AreaLightSource \"diffuse\" \"spectrum L\" \"stdillum-D65\"\nReverseOrientation\n" +
         diffuse("0 0 0") + "Shape \"sphere\"\n");
-    const Estimate value = brightness(scene, GetParam(), 30);
+    const Estimate value = brightness_by(scene, GetParam(), 30);
     EXPECT_LT(worst_ratio(value, {1, 0}), 0.03) << value.mean << " +- " << value.error;
 }
 
@@ -77,18 +53,13 @@ TEST_P(ScatteringMedia, light_once_scattered_is_what_quadrature_says) {
         expected += kScattering * phase * std::exp(-(kAbsorption + kScattering) * (t + d)) / d2 *
                     kFarthest / kSteps;
     }
-    const Estimate value = brightness(scene, GetParam(), 1);
+    const Estimate value = brightness_by(scene, GetParam(), 1);
     EXPECT_LT(worst_ratio(value, {expected, 0}), 0.01)
         << value.mean / expected << " +- " << value.error / expected;
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    By, ScatteringMedia,
-    ::testing::Values(
-        Way{"photons"}, Way{.name = "all_by_photons", .direct = DirectLight::photons},
-        Way{.name = "camera_paths", .indirect = IndirectLight::sampled, .renders = 30},
-        Way{.name = "path", .integrator = Integrator::path, .renders = 600}),
-    [](const auto& info) { return std::string(info.param.name); });
+INSTANTIATE_TEST_SUITE_P(By, ScatteringMedia, ::testing::ValuesIn(ways_through_media()),
+                         [](const auto& info) { return std::string(info.param.name); });
 
 /// Nothing is lost where no surface is: the octree of chains reaches as far as the medium.
 TEST(ScatteringMediaWithoutEnd, are_as_bright_by_chains_as_by_path_tracing) {
@@ -97,8 +68,8 @@ TEST(ScatteringMediaWithoutEnd, are_as_bright_by_chains_as_by_path_tracing) {
                                  "Shape \"sphere\" \"float radius\" .5\nAttributeEnd\n");
     const Way path{.name = "path", .integrator = Integrator::path, .renders = 200};
     const Way chains{.name = "chains", .sampler = PhotonSampler::adaptive, .renders = 12};
-    const Estimate expected = brightness(scene, path, 3);
-    const Estimate value = brightness(scene, chains, 3);
+    const Estimate expected = brightness_by(scene, path, 3);
+    const Estimate value = brightness_by(scene, chains, 3);
     EXPECT_LT(worst_ratio(value, expected), 0.06)
         << value.mean / expected.mean << " +- " << value.error / value.mean << " and "
         << expected.error / expected.mean;

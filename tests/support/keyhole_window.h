@@ -71,10 +71,10 @@ inline Aim aim_at_hole(const Scene& scene, const Keyhole& keyhole) {
     const KeyholeRoom room = kKeyholeRoom;
     const bool sun = keyhole.light == KeyholeLight::sun;
     const auto on_roof = [&](const Vec2d& u) {
-        const auto from = sample_emission(scene.lights()[0],
-                                          sun ? std::array<double, 4>{u.x, u.y, 0.5, 0.5}
-                                              : std::array<double, 4>{0.5, 0.5, u.x, u.y},
-                                          scene.sphere());
+        const auto from = sample_emission(
+            scene.lights()[0],
+            sun ? EmissionDimensions{u.x, u.y, 0.5, 0.5} : EmissionDimensions{0.5, 0.5, u.x, u.y},
+            scene.sphere());
         const Vec3d hole(0, 0, room.high[2]);
         const Vec3d origin = sun ? from.origin : hole - room.way * room.lamp_distance;
         const Vec3d at = origin + from.direction * ((room.high[2] - origin.z) / from.direction.z);

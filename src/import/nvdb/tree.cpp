@@ -179,7 +179,7 @@ void NvdbTree::fill(const Box& box, float value) {
 
 float NvdbTree::checked(float value) const {
     if (!(value >= 0 && std::isfinite(value)))
-        grid_.refuse("has a density that is negative or no finite number", "mend the grid");
+        grid_.refuse("has a value that is negative or no finite number", "mend the grid");
     return value;
 }
 

@@ -2,13 +2,10 @@
 #include "import/pbrt/approximations.h"
 
 #include "core/file_content.h"
-#include "import/pbrt/coats.h"
-#include "import/pbrt/data_substances.h"
 #include "import/pbrt/even_textures.h"
 #include "import/pbrt/measured.h"
 #include "import/pbrt/words.h"
 #include "material/fibre_albedo.h"
-#include "material/subsurface_albedo.h"
 
 #include <algorithm>
 #include <functional>
@@ -49,35 +46,6 @@ float positive_eta(const Statement& statement, float fallback, Assets& assets) {
                 "use 1.55 for hair, 1.33 for skin, or another number above 0");
 }
 
-/// Single-scattering albedo of one wavelength, reduced by forward scattering.
-struct Cloudiness {
-    Spectrum scattering;
-    Spectrum absorption;
-
-    float albedo(float nm) const {
-        const float scattered = std::max(0.0F, scattering(nm));
-        const float all = scattered + std::max(0.0F, absorption(nm));
-        return all > 0 ? scattered / all : 0;
-    }
-};
-
-Cloudiness cloudiness_of(const Statement& statement, Assets& assets) {
-    const auto absorption = even_curve(statement, "sigma_a", SpectrumUse::unbounded, assets);
-    const auto scattering = even_curve(statement, "sigma_s", SpectrumUse::unbounded, assets);
-    if (const auto name = statement.text("name"); name && !name->empty()) {
-        const Substance& substance = substance_of(*name, statement.find("name")->where);
-        return {Spectrum::rgb_unbounded(substance.scattering),
-                Spectrum::rgb_unbounded(substance.absorption)};
-    }
-    if (absorption.has_value() != scattering.has_value())
-        throw Error(statement.where, "a \"subsurface\" with one of \"sigma_a\" and \"sigma_s\"",
-                    "give both, or \"reflectance\"");
-    if (absorption) return {*scattering, *absorption};
-    const Substance& milk = substance_of("Wholemilk", statement.where);  // nearly pbrt-v4's
-    return {Spectrum::rgb_unbounded(milk.scattering),
-            Spectrum::rgb_unbounded({0.0011F, 0.0024F, 0.014F})};
-}
-
 }  // namespace
 
 Material approximate_hair(const Statement& statement, Assets& assets) {
@@ -89,26 +57,6 @@ Material approximate_hair(const Statement& statement, Assets& assets) {
     const auto fibre = [&](float nm) { return fibre_albedo(std::max(0.0F, absorption(nm)), eta); };
     return DiffuseTransmissionMaterial{tabulated([&](float nm) { return fibre(nm).back; }),
                                        tabulated([&](float nm) { return fibre(nm).through; })};
-}
-
-Material approximate_subsurface(const Statement& statement, Assets& assets) {
-    warn_approximated(statement, "a coated diffuse material of the same albedo is used", assets);
-    const double g = statement.real("g", 0);
-    if (!(g > -1 && g < 1))
-        throw Error(statement.find("g")->where, "\"g\" is not in (-1, 1)",
-                    "use 0 for even scattering");
-    statement.ignore({"mfp", "scale"});
-    const auto coat = coat_of(statement, {"", 1.33F, 0}, assets);
-    const auto reflectance =
-        assets.textures.find_spectrum(statement, "reflectance", SpectrumUse::reflectance);
-    const bool by_name = statement.find("name") != nullptr;
-    const bool by_sigmas = statement.find("sigma_a") != nullptr;
-    if (reflectance && !by_name && !by_sigmas)
-        return CoatedDiffuseMaterial{*reflectance, coat, true};
-    const Cloudiness cloud = cloudiness_of(statement, assets);
-    const SubsurfaceAlbedo whole(coat->eta(), by_name ? 0 : static_cast<float>(g));
-    return CoatedDiffuseMaterial{tabulated([&](float nm) { return whole(cloud.albedo(nm)); }), coat,
-                                 true};
 }
 
 Material approximate_measured(const Statement& statement, Assets& assets) {

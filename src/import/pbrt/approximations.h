@@ -10,8 +10,6 @@ namespace sunfleck::engine {
 /// Approximates hair by diffuse reflection and transmission of each fibre
 /// (material/fibre_albedo.h).
 Material approximate_hair(const Statement& statement, Assets& assets);
-/// Approximates subsurface scattering by a coated diffuse material with pbrt-v4's total albedo.
-Material approximate_subsurface(const Statement& statement, Assets& assets);
 /// Approximates a measured material by a metal of similar roughness, or by a diffuse one.
 Material approximate_measured(const Statement& statement, Assets& assets);
 

@@ -7,6 +7,7 @@
 #include "import/pbrt/scene_files.h"
 #include "import/pbrt/spectra.h"
 #include "import/pbrt/textures.h"
+#include "scene/import_settings.h"
 
 #include <string>
 #include <utility>
@@ -19,7 +20,8 @@ struct Assets {
         : log(its_log), files(main_file, std::move(access), log) {}
     /// Makes a copy that writes to another log.
     Assets(const Assets& other, ImportLog& its_log)
-        : log(its_log),
+        : subsurface(other.subsurface),
+          log(its_log),
           files(other.files, log),
           images(other.images, files, log),
           textures(other.textures, spectra, images, log) {}
@@ -29,6 +31,7 @@ struct Assets {
     Assets(Assets&&) = delete;
     Assets& operator=(Assets&&) = delete;
 
+    SubsurfaceRule subsurface = SubsurfaceRule::approximated;
     ImportLog& log;
     SceneFiles files;
     SpectrumReader spectra{files, log};

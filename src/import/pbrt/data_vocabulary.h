@@ -90,23 +90,27 @@ inline constexpr auto kAreaLightWords = std::to_array<WordRow>({
 
 inline constexpr auto kMediumWords = std::to_array<WordRow>({
     {"MakeNamedMedium", "homogeneous", kExact,
-     "`sigma_a` (1) and `sigma_s` (1) per unit of the world's length, `scale` (1), or a `preset`; "
-     "`g` "
-     "(0) of Henyey and Greenstein. `Le` is ignored, with a warning"},
+     "`sigma_a` (1) and `sigma_s` (1) per unit of the world's length, `scale` (1), or a "
+     "`preset`; `g` (0) of Henyey and Greenstein. `Le` and `Lescale` (1): the radiance of it "
+     "where it is thick; a spectrum is divided by its luminance, rgb is not (pbrt-v4)"},
     {"MakeNamedMedium", "uniformgrid", kExact,
-     "as `homogeneous`, times `density`: `nx`, `ny`, `nz` (1) values, x first, in the box from "
-     "`p0` "
-     "(0 0 0) to `p1` (1 1 1) of the current matrix. `Le`, `Lescale` and `temperature` are "
-     "ignored, "
-     "with a warning"},
-    {"MakeNamedMedium", "rgbgrid", kIgnored, "light passes unchanged"},
+     "as `homogeneous`, times `density`: `nx`, `ny`, `nz` (1) values, x first, in the box from"
+     " `p0` (0 0 0) to `p1` (1 1 1) of the current matrix. `Lescale` is one number, or a value"
+     " a voxel; in place of `Le` may stand a `temperature` a voxel: less `temperatureoffset` "
+     "(0; or `temperaturecutoff`), times `temperaturescale` (1), in kelvin. Up to 100 K "
+     "nothing glows. `Le` is not less at the border of the box, as it is in pbrt-v4 where "
+     "`Lescale` is not given"},
+    {"MakeNamedMedium", "rgbgrid", kApproximated,
+     "`sigma_a`, `sigma_s` (1 each where the other is given), `Le` with `Lescale`: a colour a "
+     "voxel, as `uniformgrid`. The density and what it emits vary by voxel, the colours are "
+     "their means"},
     {"MakeNamedMedium", "cloud", kExact,
      "as `homogeneous`, times noise by `density` (1), `wispiness` (1) and `frequency` (5) in the "
      "box from `p0` (0 0 0) to `p1` (1 1 1): sampled once, at 161 points an axis or fewer"},
     {"MakeNamedMedium", "nanovdb", kExact,
      "as `homogeneous`, times the grid `gridname` (`density`) of the file `filename`: floats, "
-     "NanoVDB's format 32, packed by zip or not at all. A grid `temperaturename` (`temperature`) "
-     "is ignored, with a warning"},
+     "NanoVDB's format 32, packed by zip or not at all. It glows by the grid `temperaturename`"
+     " (`temperature`), if the file has it, and `Lescale`, as `uniformgrid`"},
 });
 
 }  // namespace sunfleck::engine

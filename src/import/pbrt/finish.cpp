@@ -7,6 +7,7 @@
 #include "import/pbrt/film.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/scene_materials.h"
+#include "import/pbrt/subsurface_media.h"
 #include "import/pbrt/words.h"
 
 #include <algorithm>
@@ -66,6 +67,7 @@ void finish(Reading& reading) {
     finish_materials(reading.materials, reading.assets, reading.scene);
     finish_emission(reading);
     reading.media.finish(reading.assets, reading.scene.media);
+    fill_subsurface(reading.materials, reading.assets, reading.scene);
     finish_instances(reading);
     reading.assets.images.load();
     reading.warn_unused_defaults();

@@ -3,6 +3,7 @@
 
 #include "import/pbrt/approximations.h"
 #include "import/pbrt/coats.h"
+#include "import/pbrt/subsurface.h"
 #include "import/pbrt/words.h"
 #include "texture/kinds.h"
 
@@ -166,12 +167,12 @@ constexpr auto kRows = std::to_array<Row>({
      "that pbrt-v4's lobes have (of light from everywhere). On `\"cylinder\"` curves light goes "
      "through "
      "two walls"},
-    {"subsurface", approximate_subsurface, kApproximated,
+    {"subsurface", subsurface_material, kApproximated,
      "`reflectance`, or `sigma_a` and `sigma_s` with `g`, or `name`; `eta` (1.33), roughness: "
-     "diffuse "
-     "under its surface, with the whole reflectance of pbrt-v4's beam diffusion; light comes out "
-     "where "
-     "it went in (`mfp` and `scale` are ignored)"},
+     "diffuse under its surface, with the whole reflectance of pbrt-v4's beam diffusion; light"
+     " comes out where it went in, and `mfp` and `scale` say nothing. With `--subsurface walk`"
+     " the shape is full of a medium of these coefficients times `scale` (1); a `reflectance` "
+     "becomes the albedo of single scattering that has it, with `mfp` (1) times `scale`"},
     {"measured", approximate_measured, kApproximated,
      "`filename`: metal of its mean reflectance and of the roughness of its facets, or diffuse "
      "where "

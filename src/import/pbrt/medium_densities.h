@@ -1,7 +1,6 @@
 // Densities of media that vary in space: uniformgrid, nanovdb and cloud.
 #pragma once
 
-#include "import/pbrt/import_log.h"
 #include "import/pbrt/parameters.h"
 #include "import/pbrt/scene_files.h"
 #include "medium/density.h"
@@ -10,11 +9,10 @@
 
 namespace sunfleck::engine {
 
-/// Returns the density of a MakeNamedMedium, and warns of emission; null if the medium is alike
-/// everywhere.
+/// Returns the density of a MakeNamedMedium; null if the medium is alike everywhere.
 /// @param to_world  the matrix of the statement.
 /// @throws Error  for values that cannot be, and for a file that cannot be used.
 std::shared_ptr<const Density> density_of(const Statement& medium, const Matrix& to_world,
-                                          SceneFiles& files, ImportLog& log);
+                                          SceneFiles& files);
 
 }  // namespace sunfleck::engine

@@ -1,28 +1,26 @@
-// Media by their names, with the coefficients of homogeneous ones.
+// Media by their names, with the coefficients of those of one colour.
 #include "import/pbrt/medium_table.h"
 
 #include "import/pbrt/data_substances.h"
 #include "import/pbrt/data_vocabulary.h"
+#include "import/pbrt/medium_colours.h"
 #include "import/pbrt/medium_densities.h"
+#include "import/pbrt/medium_glow.h"
 #include "import/pbrt/version3.h"
 #include "import/pbrt/words.h"
 #include "math/finite_product.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sunfleck::engine {
 namespace {
 
 constexpr auto kTypes = words_of(kMediumWords);
 
-/// Coefficients per unit of length.
-struct Coefficients {
-    Spectrum absorption;
-    Spectrum scattering;
-};
-
-Coefficients coefficients_of(const Statement& medium, SpectrumReader& spectra) {
+/// Returns absorption and scattering, per unit of length where the density is one.
+std::pair<Spectrum, Spectrum> coefficients_of(const Statement& medium, SpectrumReader& spectra) {
     if (const auto preset = medium.text("preset"); preset && !preset->empty()) {
         const Substance& substance = substance_of(*preset, medium.find("preset")->where);
         return {Spectrum::rgb_unbounded(substance.absorption),
@@ -35,8 +33,11 @@ Coefficients coefficients_of(const Statement& medium, SpectrumReader& spectra) {
     return {curve("sigma_a"), curve("sigma_s")};
 }
 
-bool is_dark(const Spectrum& curve) {
-    return !(curve.luminance() > 0);
+/// Returns a medium of one colour, without "scale" and "g".
+Medium usual_medium(const Statement& medium, const Matrix& to_world, Assets& assets) {
+    const auto [absorption, scattering] = coefficients_of(medium, assets.spectra);
+    const auto density = density_of(medium, to_world, assets.files);
+    return {absorption, scattering, 0, density, glow_of(medium, density, to_world, assets)};
 }
 
 }  // namespace
@@ -50,12 +51,8 @@ Medium MediumTable::medium_of(const std::string& name, const Made& made, Assets&
     };
     const std::string type = *medium.text("type");
     log.count_word(medium.keyword, type);
-    if (type == "rgbgrid") {
-        medium.ignore_all();
-        warn("of type " + in_quotes(type) + " is not simulated: light passes it unchanged");
-        return {};
-    }
-    const Coefficients medium_is = coefficients_of(medium, assets.spectra);
+    Medium made_of = type == "rgbgrid" ? medium_of_colours(medium, made.to_world, log)
+                                       : usual_medium(medium, made.to_world, assets);
     const double scale = medium.real("scale", 1);
     if (!(scale >= 0))
         throw Error(medium.find("scale")->where, "\"scale\" is negative", "use 0 or more");
@@ -63,12 +60,8 @@ Medium MediumTable::medium_of(const std::string& name, const Made& made, Assets&
     if (!(std::abs(g) < 1))
         throw Error(medium.find("g")->where, "\"g\" is not between -1 and 1",
                     "use the mean cosine of scattering: 0 for all directions alike, up to 0.99");
-    const auto density = density_of(medium, made.to_world, assets.files, log);
-    const double peak = density ? static_cast<double>(greatest(*density)) : 1;
-    const auto glow = assets.spectra.find(medium, "Le", SpectrumUse::unbounded);
-    medium.ignore({"Lescale"});
     log.warn_unused(medium);
-    if (glow && !is_dark(*glow)) warn("emits, which is not simulated: \"Le\" is ignored");
+    const double peak = made_of.density ? static_cast<double>(greatest(*made_of.density)) : 1;
     const auto scaled = [&](const Spectrum& curve, const char* word) {
         if (auto product = finite_product(curve, scale, peak)) return *std::move(product);
         throw Error(medium.where,
@@ -76,8 +69,12 @@ Medium MediumTable::medium_of(const std::string& name, const Made& made, Assets&
                         " times \"scale\" is no finite float",
                     "keep the product below 3.4e38");
     };
-    return {scaled(medium_is.absorption, "sigma_a"), scaled(medium_is.scattering, "sigma_s"),
-            static_cast<float>(g), density};
+    made_of.absorption = scaled(made_of.absorption, "sigma_a");
+    made_of.scattering = scaled(made_of.scattering, "sigma_s");
+    made_of.g = static_cast<float>(g);
+    if (made_of.glow && !emits(made_of))
+        warn("emits nothing, since it absorbs nothing: give it a \"sigma_a\"");
+    return made_of;
 }
 
 const Substance& substance_of(const std::string& name, const SourceLocation& from) {

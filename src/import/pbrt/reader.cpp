@@ -15,9 +15,10 @@ namespace {
 enum class Main { file, memory };
 
 SceneDescription read_all(std::string text, const std::string& path, const FileAccess& files,
-                          Main main) {
+                          Main main, const ImportSettings& settings) {
     refuse_other_content(text, path, "a scene of pbrt-v4");
     Reading reading(path, files);
+    reading.assets.subsurface = settings.subsurface;
     if (main == Main::file) reading.assets.files.list(path);
     TokenStream tokens;
     tokens.push(std::move(text), std::filesystem::path(path).lexically_normal().string(), {path});
@@ -32,26 +33,26 @@ SceneDescription read_all(std::string text, const std::string& path, const FileA
 
 }  // namespace
 
-SceneDescription read_pbrt(const std::string& path) {
+SceneDescription read_pbrt(const std::string& path, const ImportSettings& settings) {
     const FileAccess files = disk_access();
-    return read_all(files(path, {path}), path, files, Main::file);
+    return read_all(files(path, {path}), path, files, Main::file, settings);
 }
 
-SceneDescription read_pbrt_input() {
+SceneDescription read_pbrt_input(const ImportSettings& settings) {
     const std::string name(kStandardInput);
     const std::string text = unpacked(read_standard_input(name), name);
-    SceneDescription scene = read_all(text, name, disk_access(), Main::file);
+    SceneDescription scene = read_all(text, name, disk_access(), Main::file, settings);
     scene.text = text;
     return scene;
 }
 
 SceneDescription read_pbrt_text(const std::string& text, const std::string& path) {
-    return read_all(text, path, disk_access(), Main::memory);
+    return read_all(text, path, disk_access(), Main::memory, {});
 }
 
 SceneDescription read_pbrt_text(const std::string& text, const std::string& path,
-                                const FileAccess& files) {
-    return read_all(text, path, files, Main::memory);
+                                const FileAccess& files, const ImportSettings& settings) {
+    return read_all(text, path, files, Main::memory, settings);
 }
 
 }  // namespace sunfleck::engine

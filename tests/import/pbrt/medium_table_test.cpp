@@ -79,13 +79,14 @@ TEST(ReadMedia, that_are_not_simulated_are_told) {
     };
     const std::string even = "\"string type\" \"homogeneous\" ";
     EXPECT_EQ(warned(even + "\"float scale\" 0 ", "scatters"), 0);
-    EXPECT_EQ(warned(even + "\"rgb Le\" [1 0 0] ", "emits"), 1);
-    EXPECT_EQ(warned(even + "\"rgb Le\" [0 0 0] ", "emits"), 0);
+    EXPECT_EQ(warned(even + "\"rgb Le\" [1 0 0] ", "emits"), 0);
+    EXPECT_EQ(warned(even + "\"rgb Le\" [1 0 0] \"rgb sigma_a\" [0 0 0] ", "emits nothing"), 1);
     EXPECT_EQ(warned(even + "\"float smell\" 2 ", "unused"), 1);
-    EXPECT_EQ(warned("\"string type\" \"rgbgrid\" ", "light passes it unchanged"), 1);
-    const SceneDescription coloured =
-        read_world("MakeNamedMedium \"ink\" \"string type\" \"rgbgrid\" " + kUse);
-    EXPECT_EQ(absorption(coloured, 1), 0);
+    const std::string coloured = "\"string type\" \"rgbgrid\" \"integer nx\" 2 ";
+    EXPECT_EQ(
+        warned(coloured + "\"rgb sigma_a\" [1 2 3 2 4 6] \"rgb sigma_s\" [1 1 1 2 2 2] ", "colour"),
+        0);
+    EXPECT_EQ(warned(coloured + "\"rgb sigma_a\" [1 2 3 3 2 1] ", "colours are their means"), 1);
     const SceneDescription unused =
         read_world("MakeNamedMedium \"a\" \"string type\" \"cloud\" Shape \"sphere\" ");
     EXPECT_EQ(warnings_with(unused, "medium"), 0);
