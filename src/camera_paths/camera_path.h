@@ -55,7 +55,8 @@ private:
         float length;
         float chance;    // of one, nearly: the same for all
         float radius;    // at the least
-        float widening;  // of that, for indirect light
+        float most;      // at the most
+        float widening;  // of the radius, for indirect light
     };
     Pieces pieces_of(const Ray& way, float typical, float scale) const;
     /// A part of a way, by distances.

@@ -158,16 +158,20 @@ void CameraPath::look_into(const SampledMedium& medium, const Ray& way, BatchPoi
 /// @param typical  the distance before which half of the light is scattered.
 /// @param scale  a length over which half of it is.
 CameraPath::Pieces CameraPath::pieces_of(const Ray& way, float typical, float scale) const {
-    const float radius = radius_after(way, typical);
+    const float of_pixel = radius_after(way, typical);
+    const float most = std::max(kMostOfScale * scale * static_cast<float>(pass_.radius_factor),
+                                kLeastOfPixel * of_pixel);
+    const float radius = std::min(most, of_pixel);
     const float wide = widening(radius, scale);
     float length = radius * std::max(kPieceOverRadius, kPieceOverWideRadius * wide);
     if (way.length < kInfinity) length = way.length / std::ceil(way.length / length);
-    return {length, std::min(1.0F, length / (2 * scale)), radius, wide};
+    return {length, std::min(1.0F, length / (2 * scale)), radius, most, wide};
 }
 
 CameraPath::Piece CameraPath::piece_at(const Ray& way, const Pieces& pieces, float distance) const {
     const float begin = std::floor(distance / pieces.length) * pieces.length;
-    const float radius = std::max(pieces.radius, radius_after(way, begin + pieces.length / 2));
+    const float own = radius_after(way, begin + pieces.length / 2);
+    const float radius = std::min(pieces.most, std::max(pieces.radius, own));
     return {begin, begin + pieces.length, radius, pieces.widening};
 }
 

@@ -66,6 +66,10 @@ Emission AreaLight::sample_emission(const EmissionDimensions& u, const SceneSphe
     Emission emission{on.position, rotate_z_to(on.normal, local), sides * kPiDouble * on.spread,
                       Vec3(on.normal), std::visit(bound, surface)};
     if (alpha) emission.factor *= alpha->at(surface, on.position, on.normal);
+    const auto within = [&](const auto& s) {
+        return way_within(s, emission.origin, emission.direction);
+    };
+    if (unseen) emission.lit_to = std::visit(within, surface);
     if (!image) return emission;
     emission.factor *= from.light.luminance / from.density;
     emission.rgb = from.light.rgb;

@@ -118,4 +118,12 @@ std::optional<VisibleCap> visible_cap(const EmittingQuadric<Sphere>& sphere, con
                       sine2 / (1 + std::sqrt(1 - sine2))};
 }
 
+double way_within(const EmittingQuadric<Sphere>& sphere, const Vec3d& on, const Vec3d& direction) {
+    const Affine map(sphere.to_world);
+    const double inwards = (map.origin - on).dot(direction);
+    if (!(inwards > 0) || !Zone(sphere.shape).is_whole() || !is_similarity(map))
+        return std::numeric_limits<double>::infinity();
+    return 2 * inwards;
+}
+
 }  // namespace sunfleck::engine

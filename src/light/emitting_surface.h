@@ -122,6 +122,13 @@ struct VisibleCap {
 /// Returns nothing for partial spheres, for non-similarities, and for points inside or on the
 /// sphere.
 std::optional<VisibleCap> visible_cap(const EmittingQuadric<Sphere>& sphere, const Vec3d& point);
+/// Returns how far it is from a point of the surface through what it encloses, if visible_cap() is
+/// what direct samples know of it from outside; infinity for other directions and surfaces.
+double way_within(const EmittingQuadric<Sphere>& sphere, const Vec3d& on, const Vec3d& direction);
+template <class Surface>
+double way_within(const Surface&, const Vec3d&, const Vec3d&) {
+    return std::numeric_limits<double>::infinity();
+}
 template <class Surface>
 std::optional<VisibleCap> visible_cap(const Surface&, const Vec3d&) {
     return {};

@@ -37,6 +37,9 @@ struct Emission {
     std::optional<Vec3> rgb{};  // of lights with images: multiplies the curve
     /// Distance to the light's portal: a photon that hits a surface before it carries no flux.
     double unlit = 0;
+    /// Distance at which the light ends: a photon from within a sphere that rays do not hit carries
+    /// no flux outside of it, since direct samples from there know its near side alone.
+    double lit_to = std::numeric_limits<double>::infinity();
 };
 
 /// Ray along which a light emits. For lights at infinity the origin is any point of the ray; rays

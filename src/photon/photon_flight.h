@@ -29,6 +29,7 @@ Flight sample_flight(Reader& read, const SampledMedium& medium, const Ray& way,
 /// Moves a photon to where a medium scatters it.
 inline void move_on(float distance, PhotonState& state) {
     state.unlit = 0;
+    state.lit_to = kInfinity;
     state.at_light = false;
     state.origin += Vec3d(state.direction) * static_cast<double>(distance);
 }

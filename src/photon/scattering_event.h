@@ -37,7 +37,8 @@ struct PhotonState {
     float throughput = 1;
     Vec3d origin{0};  // of the next ray
     Vec3d first_direction{0};
-    float unlit = 0;  // remaining distance without light: Emission::unlit
+    float unlit = 0;           // remaining distance without light: Emission::unlit
+    float lit_to = kInfinity;  // remaining distance with light, until it is scattered
 };
 
 /// The result of a scattering event.
@@ -158,6 +159,7 @@ inline bool apply_event(const ScatteringEvent& event, PhotonState& state) {
     state.flux = event.flux / std::min(1.0F, event.throughput);
     state.throughput = std::max(1.0F, event.throughput);
     state.direction = event.direction;
+    state.lit_to = kInfinity;
     ++state.bounces;
     ++state.dimensions;
     return true;

@@ -60,6 +60,7 @@ public:
         state.origin = from->origin;
         state.first_direction = from->direction;
         state.unlit = static_cast<float>(from->unlit);
+        state.lit_to = static_cast<float>(from->lit_to);
         return true;
     }
 
@@ -89,6 +90,7 @@ public:
             const Crossing crossing = cross_medium(read, visit, hit, state);
             if (!crossing.reaches_hit) return crossing.end;
         }
+        if (state.lit_to < kInfinity && is_beyond_light(hit, state)) return PathEnd::escaped;
         if (pass_.scene.has_cover(hit) && !is_there(hit, state))
             return go_through_absent_surface(visit, hit, state);
         if (state.unlit > 0 && is_stopped(hit, state)) return PathEnd::absorbed;
@@ -103,7 +105,8 @@ public:
 
     /// First step. @return the surface; null if go_on() is to be called in place of the steps.
     const Lambert* plain_surface(const Hit& hit, const PhotonState& state) const {
-        if (state.unlit > 0 || has_media_ || pass_.scene.has_cover(hit)) return nullptr;
+        if (state.unlit > 0 || state.lit_to < kInfinity || has_media_ || pass_.scene.has_cover(hit))
+            return nullptr;
         const auto& constant = pass_.bsdfs[pass_.scene.material_of(hit)];
         return constant ? std::get_if<Lambert>(&*constant) : nullptr;
     }
@@ -174,7 +177,8 @@ private:
                                              const SampledMedium& medium, float distance,
                                              PhotonState& state) const {
         const bool is_last = is_left_to_camera(state);
-        if (distance < state.unlit || (is_last && !is_of_medium(state))) return PathEnd::absorbed;
+        const bool is_lit = !(distance < state.unlit || distance > state.lit_to);
+        if (!is_lit || (is_last && !is_of_medium(state))) return PathEnd::absorbed;
         move_on(distance, state);
         const Photon photon = photon_in_medium(state);
         visit(photon);
@@ -201,6 +205,14 @@ private:
         const bool before = hit.distance < state.unlit;
         state.unlit -= hit.distance;
         return before && !pass_.scene.is_null_interface(hit);
+    }
+
+    /// Returns whether a photon has come further than its light; if not, tells it how far that goes
+    /// on.
+    [[gnu::noinline]] static bool is_beyond_light(const Hit& hit, PhotonState& state) {
+        if (hit.distance > state.lit_to) return true;
+        state.lit_to -= hit.distance;
+        return false;
     }
 
     /// Visits the photon and scatters it. @return how the path ends, if it does.

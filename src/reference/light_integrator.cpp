@@ -35,6 +35,7 @@ private:
         hero_.chosen = hero_of(number());
         const Emission start = emit(share);
         auto unlit = static_cast<float>(start.unlit);
+        auto lit_to = static_cast<float>(start.lit_to);
         direction_ = Vec3(start.direction);
         const Vec3d normal(start.normal);
         const Vec3d origin =
@@ -45,13 +46,15 @@ private:
         for (int depth = 0; depth < pass_.transport.max_depth;) {
             ++rays_;
             if (!scene_.geometry().complete(met, hit)) return;
-            const bool is_lit = !(hit.distance < unlit);
+            const bool is_lit = !(hit.distance < unlit || hit.distance > lit_to);
             unlit -= hit.distance;
+            lit_to -= hit.distance;
             if (scene_.has_media())
                 flux_ *= pass_.scene.transmittance(medium_, {from, direction_, hit.distance});
             if (!scene_.is_null_interface(hit)) {
                 if (!is_lit) return;
                 if (!scatter(hit, depth)) return;
+                lit_to = kInfinity;
                 ++depth;
             }
             medium_ = scene_.medium_beyond(hit, direction_, medium_);

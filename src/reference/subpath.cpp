@@ -81,6 +81,7 @@ void SubpathTracer::trace_camera(const Vec2d& film, std::size_t wavelength, Path
     from_ = Vec3(ray.origin);
     ray_hit_ = pass_.scene.scene.geometry().trace_precise(ray.origin, ray.direction);
     unlit_ = 0;
+    lit_to_ = kInfinity;
     scale_ = 1;
     follow(numbers, path);
 }
@@ -109,6 +110,7 @@ void SubpathTracer::trace_light(std::size_t wavelength, PathNumbers& numbers, Su
     from_ = Vec3(origin);
     ray_hit_ = scene.geometry().trace_precise(origin, start.direction);
     unlit_ = static_cast<float>(start.unlit);
+    lit_to_ = static_cast<float>(start.lit_to);
     follow(numbers, path);
 }
 
@@ -133,8 +135,9 @@ bool SubpathTracer::next_surface(Subpath& path) {
                 medium_, {from_, direction_, met ? hit_.distance : kInfinity});
         if (transport_ == Transport::radiance) note_lights(met, path);
         if (!met) return false;
-        const bool is_lit = !(hit_.distance < unlit_);
+        const bool is_lit = !(hit_.distance < unlit_ || hit_.distance > lit_to_);
         unlit_ -= hit_.distance;
+        lit_to_ -= hit_.distance;
         if (!scene.is_null_interface(hit_)) return is_lit;
         medium_ = scene.medium_beyond(hit_, direction_, medium_);
         const Ray ray = ray_from(hit_, direction_);
@@ -219,6 +222,7 @@ bool SubpathTracer::scatter(PathNumbers& numbers, SubpathVertex& vertex, std::si
     medium_ = pass_.scene.scene.medium_beyond(vertex.hit, direction_, medium_);
     const Ray ray = ray_from(vertex.hit, direction_);
     from_ = ray.origin;
+    lit_to_ = kInfinity;
     ray_hit_ = pass_.scene.scene.geometry().trace(ray);
     return true;
 }

@@ -99,6 +99,7 @@ private:
     RayHit ray_hit_;
     Hit hit_;
     float unlit_ = 0;
+    float lit_to_ = kInfinity;
     float scale_ = 1;  // squared ratio of indices, for Russian roulette
     Vec2d lens_{0};
     std::uint32_t light_ = 0;

@@ -247,6 +247,16 @@ inline std::vector<LightExample> pictured_examples() {
     return all;
 }
 
+/// A sphere that rays do not hit and that shines within, too. @param flip  only within.
+inline Light unseen_sphere(bool flip) {
+    AreaLight light;
+    light.surface =
+        EmittingQuadric<Sphere>{{}, placed({0.2, 0.1, 2.2}, Vec3d(0.8), 0.7, 0.3), flip};
+    light.two_sided = !flip;
+    light.unseen = true;
+    return light;
+}
+
 /// Glowing smoke in a box above the disc, dark in a corner.
 inline Light example_smoke() {
     std::vector<float> values(std::size_t{4} * 3 * 5);
@@ -275,14 +285,13 @@ inline std::vector<LightExample> light_examples() {
     all.push_back(plain_example("spot_without_core", spot));
     all.push_back(plain_example("distant", DistantLight{{}, Vec3d(0.4, 0.5, -1).normalized()}));
     all.push_back({"smoke", example_smoke});
+    all.push_back({"unseen_sphere", [] { return unseen_sphere(false); }, {0.3F, 0.2F, 0.5F}});
+    all.push_back({"unseen_sphere_within", [] { return unseen_sphere(true); }, {0.1F, 0.2F, 1.9F}});
     all.push_back(area_example("triangle", example_triangle(true)));
     all.push_back(area_example("two_sided_triangle", example_triangle(false), true));
-    for (const LightExample& example : picture_examples()) all.push_back(example);
-    for (const LightExample& example : sphere_examples()) all.push_back(example);
-    for (const LightExample& example : disk_examples()) all.push_back(example);
-    for (const LightExample& example : cylinder_examples()) all.push_back(example);
-    for (const LightExample& example : patch_examples()) all.push_back(example);
-    for (const LightExample& example : pictured_examples()) all.push_back(example);
+    for (const auto& more : {picture_examples(), sphere_examples(), disk_examples(),
+                             cylinder_examples(), patch_examples(), pictured_examples()})
+        all.insert(all.end(), more.begin(), more.end());
     return all;
 }
 

@@ -91,11 +91,11 @@ TEST(GlowOfMedia, ends_where_shapes_end_its_medium) {
         quad("-2 -2 -.8  2 -2 -.8  2 2 -.8  -2 2 -.8") +
         "AttributeBegin\nMaterial \"interface\"\nMediumInterface \"fire\" \"\"\n"
         "Shape \"sphere\" \"float radius\" 0.7\nAttributeEnd\n");
-    const Way path{.name = "path", .integrator = Integrator::path, .renders = 200};
+    const Way path{.name = "path", .integrator = Integrator::path, .renders = 300};
     const Estimate expected = brightness_by(scene, path, 6);
     for (const Way& way :
-         {Way{.name = "photons", .renders = 16},
-          Way{.name = "camera", .indirect = IndirectLight::sampled, .renders = 16}}) {
+         {Way{.name = "photons", .renders = 32},
+          Way{.name = "camera", .indirect = IndirectLight::sampled, .renders = 32}}) {
         const Estimate value = brightness_by(scene, way, 6);
         EXPECT_LT(worst_ratio(value, expected), 0.06)
             << way.name << ' ' << value.mean / expected.mean << " +- " << value.error / value.mean

@@ -86,5 +86,26 @@ TEST(PathEquivalence, cloud_before_a_sky) {
     expect_equivalent(scene, {60, 12, 12, 0.02, 0.05});
 }
 
+/// Fire on a floor beside a wall, cut by the ball that it is in.
+TEST(PathEquivalence, fire_on_a_floor) {
+    std::string density;
+    std::string scale;
+    for (int i = 0; i < 6 * 6 * 6; ++i) {
+        density += " " + std::to_string(i * 7 % 5 * 0.6);
+        scale += i * 11 % 3 == 0 ? " 5" : " 0.5";
+    }
+    const Scene scene = scene_of(
+        view("0 -4 1.4  0 0 .7  0 0 1", 40, kSize) + diffuse("0.6 0.5 0.4") +
+        quad("-2 -2 0  2 -2 0  2 2 0  -2 2 0") + quad("-2 1 0  2 1 0  2 1 3  -2 1 3") +
+        "MakeNamedMedium \"fire\" \"string type\" \"uniformgrid\" \"integer nx\" 6 "
+        "\"integer ny\" 6 \"integer nz\" 6 \"point3 p0\" [-.7 -.7 0] \"point3 p1\" [.7 .7 1.4] "
+        "\"rgb sigma_a\" [1 1.5 2] \"rgb sigma_s\" [.4 .4 .4] \"rgb Le\" [6 3 1] "
+        "\"float Lescale\" [" +
+        scale + "] \"float density\" [" + density +
+        "]\nAttributeBegin\nMaterial \"interface\"\nMediumInterface \"fire\" \"\"\n"
+        "Translate 0 0 .8\nShape \"sphere\" \"float radius\" .75\nAttributeEnd\n");
+    expect_equivalent(scene, {200, 30, 40, 0.01, 0.01});
+}
+
 }  // namespace
 }  // namespace sunfleck::engine

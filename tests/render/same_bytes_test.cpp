@@ -76,18 +76,24 @@ TEST_P(SameBytes, with_any_number_of_threads_and_in_any_order) {
     EXPECT_TRUE(merged.sums() == whole.sums());
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, SameBytes,
-                         ::testing::Values(Case{"diffuse", "\"diffuse\""},
-                                           Case{"glass",
-                                                "\"dielectric\" \"spectrum eta\" \"glass-F11\""},
-                                           Case{"glossy", "\"conductor\" \"float roughness\" 0.2"},
-                                           Case{"glass_and_small_passes",
-                                                "\"dielectric\" \"spectrum eta\" \"glass-F11\"",
-                                                IndirectLight::photons, true},
-                                           Case{"glass_and_long_camera_paths",
-                                                "\"dielectric\" \"spectrum eta\" \"glass-F11\"",
-                                                IndirectLight::sampled}),
-                         [](const auto& row) { return std::string(row.param.name); });
+/// In place of a material: a ball of fire.
+constexpr const char* kFire =
+    "\"interface\"\nMakeNamedMedium \"fire\" \"string type\" \"uniformgrid\" \"integer nx\" 2 "
+    "\"float density\" [1 3] \"float temperature\" [2000 3000] \"float Lescale\" 9 "
+    "\"point3 p0\" [-1 -1 -1]\nMediumInterface \"fire\" \"\"\n";
+
+INSTANTIATE_TEST_SUITE_P(
+    Scenes, SameBytes,
+    ::testing::Values(Case{"diffuse", "\"diffuse\""}, Case{"fire", kFire, IndirectLight::sampled},
+                      Case{"glass", "\"dielectric\" \"spectrum eta\" \"glass-F11\""},
+                      Case{"glossy", "\"conductor\" \"float roughness\" 0.2"},
+                      Case{"glass_and_small_passes",
+                           "\"dielectric\" \"spectrum eta\" \"glass-F11\"", IndirectLight::photons,
+                           true},
+                      Case{"glass_and_long_camera_paths",
+                           "\"dielectric\" \"spectrum eta\" \"glass-F11\"",
+                           IndirectLight::sampled}),
+    [](const auto& row) { return std::string(row.param.name); });
 
 class ReferenceSameBytes : public ::testing::TestWithParam<Integrator> {};
 
