@@ -138,8 +138,13 @@ void CameraPath::add_emission(const EmitterHit& met) {
         return;
     }
     const float weight = emitters_ == Emitters::all ? 1 : mis_weight(bsdf_pdf_, met.pdf);
+    add_light(met.radiance, weight, owner_of_emission());
+}
+
+/// Returns the AOV of what emits at the end of this path.
+Aov CameraPath::owner_of_emission() const {
     constexpr std::array<Aov, 3> kOwners = {Aov::emission, Aov::direct, Aov::indirect};
-    add_light(met.radiance, weight, kOwners.at(std::min<std::size_t>(rough_, 2)));
+    return kOwners.at(std::min<std::size_t>(rough_, 2));
 }
 
 void CameraPath::add_light(const SampledSpectrum& radiance, float weight, Aov owner) {

@@ -76,6 +76,7 @@ private:
     void gather_at_base(const CameraVertex& vertex, BatchPoints& numbers);
     bool go_on(const CameraVertex& vertex, BatchPoints& numbers);
     void add_emission(const EmitterHit& met);
+    Aov owner_of_emission() const;
     /// @param radiance  incident radiance, the sum of contributions_.
     void add_light(const SampledSpectrum& radiance, float weight, Aov owner);
     LightContributions* wanted_contributions() {

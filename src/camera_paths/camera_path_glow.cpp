@@ -4,8 +4,6 @@
 // so the ray that leaves that one sees none of it. Later ones do.
 #include "camera_paths/camera_path.h"
 
-#include <algorithm>
-
 namespace sunfleck::engine {
 
 void CameraPath::add_glow(const SampledMedium& medium, const Ray& way, BatchPoints& numbers) {
@@ -15,8 +13,7 @@ void CameraPath::add_glow(const SampledMedium& medium, const Ray& way, BatchPoin
     if (light.is_zero()) return;
     if (LightContributions* parts = wanted_contributions())
         parts->push_back({pass_.scene.light_of(medium_), light});
-    constexpr std::array<Aov, 3> kOwners = {Aov::emission, Aov::direct, Aov::indirect};
-    add_light(light, 1, kOwners.at(std::min<std::size_t>(rough_, 2)));
+    add_light(light, 1, owner_of_emission());
 }
 
 }  // namespace sunfleck::engine

@@ -69,6 +69,12 @@ private:
     /// Returns a medium as it is written: alike everywhere.
     Medium written(std::size_t number) {
         Medium medium = scene_.media.all[number];
+        if (medium.glow && medium.glow->varies()) {
+            result_.warnings.add({scene_.path},
+                                 medium_name(static_cast<MediumNumber>(number)) +
+                                     " emits by place, which is not written: it is dark");
+            medium.glow = nullptr;
+        }
         if (!medium.density) return medium;
         result_.warnings.add({scene_.path},
                              medium_name(static_cast<MediumNumber>(number)) +
@@ -93,6 +99,7 @@ private:
             } else {
                 statement.add("rgb", "sigma_s", Vec3(0));
             }
+            if (medium.glow) add_emission(statement, "Le", medium.glow->radiance, "Lescale");
             text += statement.text();
         }
         return text;

@@ -85,20 +85,17 @@ void add_table(StatementText& statement, std::string_view name, const Spectrum& 
     statement.add("spectrum", name, table_text(points_of(curve)));
 }
 
-void add_scale(StatementText& statement, float scale) {
-    if (scale != 1) statement.add("scale", scale);
-}
-
 /// Adds an emission that pbrt-v4 divides by its luminance.
-void add_other_emission(StatementText& statement, std::string_view name, const Spectrum& curve) {
+void add_other_emission(StatementText& statement, std::string_view name, const Spectrum& curve,
+                        std::string_view scale) {
     if (!(curve.luminance() > 0)) return statement.add("rgb", name, Vec3(0));
     if (const auto* black_body = std::get_if<BlackbodySpectrum>(&curve.kind())) {
         statement.add("blackbody", name, exact_number(black_body->kelvin));
-        return statement.add("scale", curve.luminance());
+        return statement.add(scale, curve.luminance());
     }
     const Spectrum written = Spectrum::table(points_of(curve));
     add_table(statement, name, written);
-    statement.add("scale", written.luminance());
+    statement.add(scale, written.luminance());
 }
 
 }  // namespace
@@ -147,14 +144,16 @@ void add_index(StatementText& statement, std::string_view name, const Spectrum& 
     add_table(statement, name, eta);
 }
 
-void add_emission(StatementText& statement, std::string_view name, const Spectrum& curve) {
+void add_emission(StatementText& statement, std::string_view name, const Spectrum& curve,
+                  std::string_view scale) {
     if (is_d65(curve)) return statement.add("rgb", name, Vec3(curve.factor()));
     if (const auto* smooth = std::get_if<SigmoidSpectrum>(&curve.kind()))
         if (const auto rgb = colour_of(*smooth, ColourUse::illuminant)) {
             statement.add("rgb", name, *rgb);
-            return add_scale(statement, curve.factor());
+            if (curve.factor() != 1) statement.add(scale, curve.factor());
+            return;
         }
-    add_other_emission(statement, name, curve);
+    add_other_emission(statement, name, curve, scale);
 }
 
 bool is_d65(const Spectrum& curve) {

@@ -28,9 +28,10 @@ void add_spectrum(StatementText& statement, std::string_view name, const Spectru
 /// Adds an index of refraction: a float where it is the same for all wavelengths.
 void add_index(StatementText& statement, std::string_view name, const Spectrum& eta);
 
-/// Adds an emission, with "scale" where it needs one: pbrt-v4 divides by the luminance of what is
+/// Adds an emission, with a scale where it needs one: pbrt-v4 divides by the luminance of what is
 /// no rgb.
-void add_emission(StatementText& statement, std::string_view name, const Spectrum& curve);
+void add_emission(StatementText& statement, std::string_view name, const Spectrum& curve,
+                  std::string_view scale = "scale");
 
 /// Returns whether a curve is D65, times any number.
 bool is_d65(const Spectrum& curve);

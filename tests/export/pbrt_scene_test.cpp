@@ -53,6 +53,27 @@ TEST(PbrtScene, writes_large_meshes_as_files_bit_by_bit) {
     EXPECT_EQ(after.triangles, before.triangles);
 }
 
+TEST(PbrtScene, says_what_media_emit) {
+    for (const char* light : {"\"rgb Le\" [3 2 1] \"float Lescale\" 2 ", "\"blackbody Le\" 3000 ",
+                              "\"spectrum Le\" [400 1 700 5] \"float Lescale\" 4 "}) {
+        const SceneDescription first =
+            read_world("MakeNamedMedium \"fire\" \"string type\" \"homogeneous\" " +
+                       std::string(light) + "MediumInterface \"fire\" \"\" Shape \"sphere\" ");
+        const auto glow = again(first).media.all.at(1).glow;
+        ASSERT_NE(glow, nullptr) << light;
+        expect_near(first.media.all.at(1).glow->radiance.at(some_wavelengths()),
+                    glow->radiance.at(some_wavelengths()), 1e-3F, light);
+    }
+    const SceneDescription varied = read_world(
+        "MakeNamedMedium \"fire\" \"string type\" \"uniformgrid\" \"integer nx\" 2 "
+        "\"float density\" [1 3] \"float temperature\" [2000 3000] "
+        "MediumInterface \"fire\" \"\" Shape \"sphere\" ");
+    const Warnings said = pbrt_scene(varied, "cup.pbrt").warnings;
+    EXPECT_TRUE(std::any_of(said.entries().begin(), said.entries().end(), [](const auto& entry) {
+        return contains(entry.text, "emits by place");
+    }));
+}
+
 TEST(PbrtScene, has_objects_once_and_their_instances) {
     const std::string text = std::string(kView) + R"(
 ObjectBegin "ball"

@@ -54,6 +54,11 @@ TEST(PathEquivalence, floor_below_a_tank_of_ink) {
     EXPECT_NEAR(once(DirectLight::sampled, IndirectLight::sampled) / by_photons, 1, 1e-9);
 }
 
+TEST(PathEquivalence, floor_lit_through_rough_glass_and_by_rough_metal) {
+    expect_equivalent(rough_objects("-.1 -.6 1.2  -.4 -.1 0  0 0 1", 25),
+                      {60, 60, 30, 0.005, 0.01});
+}
+
 /// A room full of mist that scatters red light most, and forward.
 TEST(PathEquivalence, room_full_of_coloured_mist) {
     const Scene scene = scene_of(

@@ -36,11 +36,6 @@ TEST(PathEquivalence, rough_metal) {
                       {120, 10, 24, 0.005, 0.01});
 }
 
-TEST(PathEquivalence, floor_lit_through_rough_glass_and_by_rough_metal) {
-    expect_equivalent(rough_objects("-.1 -.6 1.2  -.4 -.1 0  0 0 1", 25),
-                      {60, 60, 30, 0.005, 0.01});
-}
-
 /// A lamp behind smooth glass over rough metal: photons bring its light, the camera path must not.
 TEST(PathEquivalence, rough_metal_lit_through_smooth_glass) {
     const Scene scene =
