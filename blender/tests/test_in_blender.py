@@ -305,7 +305,7 @@ class Materials(Case):
         # Black absorbs 1 per unit: as bright where it is thick as it emits per unit.
         self.full_cube("ShaderNodeVolumePrincipled", Color=(0, 0, 0, 1), Density=2,
                        Emission_Color=(1, 0.5, 0, 1), Emission_Strength=4)
-        text = self.export()
+        text, _ = self.export()
         self.assertIn('"rgb sigma_a" [ 2 2 2 ]', text)
         self.assertIn('"rgb Le" [ 2 1 0 ]', text)
         self.assertEqual(self.warnings, [])
