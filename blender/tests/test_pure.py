@@ -312,11 +312,27 @@ class Volumes(unittest.TestCase):
                       Socket(node=volume_node("VOLUME_ABSORPTION", Color=0, Density=2))]
         self.check(mix, 0.5, (0.3, 0.75, 2.25), 0.4)
 
-    def test_emission_and_what_is_not_known_are_named(self):
-        self.read(volume_node("PRINCIPLED_VOLUME", **self.PRINCIPLED, Emission_Strength=1))
-        self.assertEqual(self.reader.said, ["emission of a volume: left out"])
-        self.assertTrue(self.read(volume_node("EMISSION")).is_empty())
-        self.assertEqual(self.reader.said, ["emission of a volume: left out"])
+    def test_emission_is_colour_times_strength_over_what_is_absorbed(self):
+        volume = self.read(volume_node("PRINCIPLED_VOLUME", **self.PRINCIPLED,
+                                       Emission_Color=(1, 0.5, 0), Emission_Strength=3))
+        np.testing.assert_allclose(volume.emits, (3, 1.5, 0))
+        text = scene_text.SceneText()
+        volume.write(text, "fire")
+        self.assertIn('"rgb sigma_a" [ 1.5 0.75 0 ]', text.text())
+        self.assertIn('"rgb Le" [ 2 2 0 ]', text.text())
+        self.assertEqual(self.reader.said, [])
+
+    def test_what_only_emits_absorbs_next_to_nothing(self):
+        volume = self.read(volume_node("EMISSION", Color=(1, 0.5, 0), Strength=2))
+        self.assertFalse(volume.is_empty())
+        text = scene_text.SceneText()
+        volume.write(text, "gas")
+        self.assertIn('"rgb Le" [ 200000 100000 0 ]', text.text())
+        self.assertIn('"rgb sigma_s" [ 0 0 0 ]', text.text())
+
+    def test_what_is_not_known_is_named(self):
+        self.read(volume_node("PRINCIPLED_VOLUME", **self.PRINCIPLED, Blackbody_Intensity=1))
+        self.assertEqual(self.reader.said, ["black body of a volume: left out"])
         self.assertTrue(self.read(volume_node("HOLDOUT")).is_empty())
         self.assertIn("HOLDOUT", self.reader.said[0])
 
