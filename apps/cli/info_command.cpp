@@ -27,6 +27,15 @@ void print_lights(const Scene& scene) {
     if (kinds.empty()) fmt::print("lights      none\n");
 }
 
+/// Returns what a medium emits, as a luminance; nothing if it emits none.
+std::string glow_text(const Medium& medium) {
+    if (!emits(medium)) return "";
+    if (medium.glow->heat) return "; emits by its temperature";
+    const char* const varies = medium.glow->factor ? ", times a factor that varies" : "";
+    return fmt::format("; emits {:.3g} where it is thick{}", medium.glow->radiance.luminance(),
+                       varies);
+}
+
 /// Mean free paths, of all wavelengths alike, where a medium is densest.
 void print_media(const Scene& scene) {
     const std::vector<Medium>& media = scene.media().all;
@@ -40,8 +49,9 @@ void print_media(const Scene& scene) {
             media[i].density ? fmt::format(" where it is densest; its mean is {:.3g} of that",
                                            mean(*media[i].density) / density)
                              : "";
-        fmt::print("medium      {}: mean free path {} to scattering, {} to absorption{}\n", i,
-                   path(media[i].scattering), path(media[i].absorption), varies);
+        fmt::print("medium      {}: mean free path {} to scattering, {} to absorption{}{}\n", i,
+                   path(media[i].scattering), path(media[i].absorption), varies,
+                   glow_text(media[i]));
     }
 }
 
