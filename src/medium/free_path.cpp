@@ -28,9 +28,12 @@ SampledSpectrum shares_of(const SampledSpectrum& carried) {
 
 SampledSpectrum transmittance(const SampledMedium& medium, const Ray& way) {
     const float passed = amount(medium, way);
+    const SampledSpectrum extinction = medium.absorption + medium.scattering;
+    // Fog and dust are grey: one exponential in place of eight.
+    if (extinction.min() == extinction.max())
+        return SampledSpectrum(left_of(extinction[0], passed));
     SampledSpectrum left;
-    for (std::size_t i = 0; i < kWavelengths; ++i)
-        left[i] = left_of(medium.absorption[i] + medium.scattering[i], passed);
+    for (std::size_t i = 0; i < kWavelengths; ++i) left[i] = left_of(extinction[i], passed);
     return left;
 }
 
