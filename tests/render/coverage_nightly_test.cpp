@@ -166,7 +166,7 @@ INSTANTIATE_TEST_SUITE_P(Scenes, EarlyCoverage,
                                          early("window-room"), early("cognac-2"), early("cognac-4"),
                                          early("statue-near"), early("diamond"), early("magnifier"),
                                          early("two-windows"), early("light-shafts"),
-                                         early("smoke"), early("fog-lamp"), early_small("cornell"),
+                                         early("smoke"), early_small("cornell"),
                                          early_small("room"), early_small("cognac-2"),
                                          early_small("window-room")),
                          [](const auto& info) { return info.param.name; });
