@@ -47,6 +47,13 @@ std::shared_ptr<const LightImage> columns_of(const DensityGrid& density) {
     return std::make_shared<const LightImage>(Image({cells[0], cells[1]}, 1, std::move(means)));
 }
 
+/// Returns the column of a point of the lattice, in the unit square.
+Vec2d place_of(const DensityGrid& density, const Vec3d& in_lattice) {
+    const Voxel& cells = density.voxels().cells();
+    return {std::clamp(in_lattice.x / cells[0], 0.0, 1.0),
+            std::clamp(in_lattice.y / cells[1], 0.0, 1.0)};
+}
+
 }  // namespace
 
 MediumLight::MediumLight(Spectrum of, std::uint32_t medium_number, DensityGrid where)
@@ -78,9 +85,8 @@ Emission MediumLight::sample_emission(const EmissionDimensions& u, const SceneSp
 }
 
 EmissionDimensions MediumLight::emission_dimensions(const LightRay& ray, const SceneSphere&) const {
-    const Voxel& cells = density->voxels().cells();
     const Vec3d at = density->to_grid().point(ray.origin);
-    const Vec2d place(std::clamp(at.x / cells[0], 0.0, 1.0), std::clamp(at.y / cells[1], 0.0, 1.0));
+    const Vec2d place = place_of(*density, at);
     const Vec2d position = columns->numbers(place);
     const Vec2d way = sphere_to_square(ray.direction);
     const Ray column = column_at(place);
@@ -90,9 +96,7 @@ EmissionDimensions MediumLight::emission_dimensions(const LightRay& ray, const S
 }
 
 double MediumLight::emission_pdf(const LightRay& ray, const SceneSphere&) const {
-    const Voxel& cells = density->voxels().cells();
-    const Vec3d at = density->to_grid().point(ray.origin);
-    const Vec2d place(std::clamp(at.x / cells[0], 0.0, 1.0), std::clamp(at.y / cells[1], 0.0, 1.0));
+    const Vec2d place = place_of(*density, density->to_grid().point(ray.origin));
     const double amount = density->amount(column_at(place));
     if (!(amount > 0)) return 0;
     return columns->density(place) * double{density->at(Vec3(ray.origin))} /

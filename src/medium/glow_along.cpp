@@ -2,6 +2,7 @@
 #include "medium/glow_along.h"
 
 #include "medium/free_way.h"
+#include "medium/stopping_medium.h"
 
 #include <cmath>
 
@@ -34,10 +35,7 @@ SampledSpectrum glow_along(const SampledMedium& medium, const Wavelengths& wavel
     if (!medium.glow->varies()) return even_glow(medium, amount(medium, way));
     const DensityGrid& power = *medium.glow->power;
     const float whole = power.amount(way);
-    // To be absorbed or scattered on the way back.
-    SampledMedium stopping = medium;
-    stopping.scattering += medium.absorption;
-    stopping.absorption = SampledSpectrum(0);
+    const SampledMedium stopping = stopping_medium(medium);
     const FreeWay back(stopping, way, carried);
     const float chance = back.chance();
     if (!(whole > 0) || !(chance > 0)) return {};

@@ -4,6 +4,7 @@
 
 #include "camera/filter.h"
 #include "core/parallel.h"
+#include "medium/stopping_medium.h"
 #include "reference/surface.h"
 
 #include <mutex>
@@ -82,9 +83,7 @@ private:
 
     /// Adds what the medium emits where a second flight is stopped, be it absorbed or scattered.
     void add_glow(const SampledMedium& medium, const Ray& way) {
-        SampledMedium stopping = medium;
-        stopping.scattering += medium.absorption;
-        stopping.absorption = SampledSpectrum(0);
+        const SampledMedium stopping = stopping_medium(medium);
         const Flight flight = fly(stopping, way, throughput_, static_cast<float>(number()));
         if (!flight.is_scattered) return;
         SampledSpectrum light =

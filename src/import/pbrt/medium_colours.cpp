@@ -1,9 +1,9 @@
 // Means over voxels, by how much of the medium each holds.
 #include "import/pbrt/medium_colours.h"
 
+#include "import/pbrt/medium_glow.h"
 #include "import/pbrt/medium_voxels.h"
 #include "import/pbrt/words.h"
-#include "medium/glow_power.h"
 
 #include <algorithm>
 #include <utility>
@@ -60,9 +60,6 @@ bool are_alike(const Colours& colours, const std::vector<float>& densities, cons
 /// Returns what the voxels emit in one colour.
 std::shared_ptr<const Glow> glow_of_colours(const Statement& medium, const Voxels& voxels,
                                             const Medium& made, const Matrix& to_world) {
-    const double scale = medium.real("Lescale", 1);
-    if (!(scale >= 0))
-        throw Error(place_of(medium, "Lescale"), "\"Lescale\" is negative", "use 0 or more");
     Vec3d sum(0);
     std::vector<float> emitted;
     for (std::size_t i = 0; i < voxels.radiance.size(); ++i) {
@@ -71,13 +68,13 @@ std::shared_ptr<const Glow> glow_of_colours(const Statement& medium, const Voxel
         emitted.push_back(static_cast<float>(absorbed > 0 ? mean_of(here) / absorbed : 0));
         sum += here;
     }
-    if (!(mean_of(sum) > 0 && scale > 0)) return nullptr;
+    const double all = mean_of(sum);
+    const Vec3 colour = all > 0 ? Vec3(sum / all) : Vec3(0);
     Glow glow;
-    glow.radiance = Spectrum::rgb_illuminant(Vec3(sum / mean_of(sum) * scale));
+    glow.radiance = times_lescale(medium, Spectrum::rgb_illuminant(colour));
+    if (!(glow.radiance.luminance() > 0)) return nullptr;
     glow.factor = std::make_shared<const Density>(field_of(medium, emitted, to_world));
-    glow.power =
-        std::make_shared<const DensityGrid>(glow_power(std::get<DensityGrid>(*made.density), glow));
-    return std::make_shared<const Glow>(std::move(glow));
+    return finished_glow(std::move(glow), std::get<DensityGrid>(*made.density));
 }
 
 }  // namespace

@@ -16,21 +16,6 @@ std::shared_ptr<const Density> shared(DensityGrid grid) {
     return std::make_shared<const Density>(std::move(grid));
 }
 
-double scale_of(const Statement& medium) {
-    const double scale = medium.real("Lescale", 1);
-    if (scale >= 0) return scale;
-    throw Error(place_of(medium, "Lescale"), "\"Lescale\" is negative", "use 0 or more");
-}
-
-Spectrum scaled(const Statement& medium, const Spectrum& curve, double scale) {
-    if (auto product = finite_product(curve, scale)) return *std::move(product);
-    throw Error(medium.where,
-                "medium " + in_quotes(medium.type) +
-                    " is too bright: \"Le\" times \"Lescale\" is "
-                    "no finite float",
-                "keep the product below 3.4e38");
-}
-
 /// Returns temperatures, by what every grid of them knows.
 Heat heat_of(const Statement& medium, DensityGrid grid) {
     const double zero = medium.real("temperatureoffset", medium.real("temperaturecutoff", 0));
@@ -42,7 +27,7 @@ Heat heat_of(const Statement& medium, DensityGrid grid) {
 void read_voxels(const Statement& medium, const Matrix& to_world, Glow& glow) {
     const Parameter* scales = medium.find("Lescale", ParameterType::real);
     if (scales != nullptr && scales->numbers.size() == 1)
-        glow.radiance = scaled(medium, glow.radiance, scale_of(medium));
+        glow.radiance = times_lescale(medium, glow.radiance);
     else if (auto factor = voxels_of(medium, "Lescale", to_world, Negative::is_refused))
         glow.factor = shared(*std::move(factor));
     if (auto heat = voxels_of(medium, "temperature", to_world, Negative::is_zero))
@@ -52,7 +37,7 @@ void read_voxels(const Statement& medium, const Matrix& to_world, Glow& glow) {
 /// A file may have temperatures or not.
 void read_nanovdb(const Statement& medium, const Matrix& to_world, Assets& assets, Glow& glow) {
     const std::string grid = medium.text("temperaturename").value_or("temperature");
-    glow.radiance = scaled(medium, Spectrum::constant(1), scale_of(medium));
+    glow.radiance = times_lescale(medium, Spectrum::constant(1));
     const SourceLocation& where = place_of(medium, "filename");
     assets.files.read_as(*medium.text("filename"), where, [&](const NamedFile& file) {
         if (has_nvdb_grid(file.bytes, grid, file.path))
@@ -80,11 +65,29 @@ std::optional<Glow> read(const Statement& medium, const Matrix& to_world, Assets
     if (type == "uniformgrid")
         read_voxels(medium, to_world, glow);
     else
-        glow.radiance = scaled(medium, glow.radiance, scale_of(medium));
+        glow.radiance = times_lescale(medium, glow.radiance);
     return glow;
 }
 
 }  // namespace
+
+Spectrum times_lescale(const Statement& medium, const Spectrum& radiance) {
+    const double scale = medium.real("Lescale", 1);
+    if (!(scale >= 0))
+        throw Error(place_of(medium, "Lescale"), "\"Lescale\" is negative", "use 0 or more");
+    if (auto product = finite_product(radiance, scale)) return *std::move(product);
+    throw Error(medium.where,
+                "medium " + in_quotes(medium.type) +
+                    " is too bright: \"Le\" times \"Lescale\" is no finite float",
+                "keep the product below 3.4e38");
+}
+
+std::shared_ptr<const Glow> finished_glow(Glow glow, const DensityGrid& density) {
+    DensityGrid power = glow_power(density, glow);
+    if (!(power.greatest() > 0)) return nullptr;
+    glow.power = std::make_shared<const DensityGrid>(std::move(power));
+    return std::make_shared<const Glow>(std::move(glow));
+}
 
 std::shared_ptr<const Glow> glow_of(const Statement& medium,
                                     const std::shared_ptr<const Density>& density,
@@ -92,10 +95,7 @@ std::shared_ptr<const Glow> glow_of(const Statement& medium,
     std::optional<Glow> glow = read(medium, to_world, assets);
     if (!glow || !(glow->radiance.luminance() > 0)) return nullptr;
     if (!glow->varies()) return std::make_shared<const Glow>(*std::move(glow));
-    DensityGrid power = glow_power(std::get<DensityGrid>(*density), *glow);
-    if (!(power.greatest() > 0)) return nullptr;
-    glow->power = std::make_shared<const DensityGrid>(std::move(power));
-    return std::make_shared<const Glow>(*std::move(glow));
+    return finished_glow(*std::move(glow), std::get<DensityGrid>(*density));
 }
 
 }  // namespace sunfleck::engine
