@@ -94,8 +94,8 @@ TEST(GlowOfMedia, ends_where_shapes_end_its_medium) {
     const Way path{.name = "path", .integrator = Integrator::path, .renders = 300};
     const Estimate expected = brightness_by(scene, path, 6);
     for (const Way& way :
-         {Way{.name = "photons", .renders = 32},
-          Way{.name = "camera", .indirect = IndirectLight::sampled, .renders = 32}}) {
+         {Way{.name = "photons", .renders = 16},
+          Way{.name = "camera", .indirect = IndirectLight::sampled, .renders = 16}}) {
         const Estimate value = brightness_by(scene, way, 6);
         EXPECT_LT(worst_ratio(value, expected), 0.06)
             << way.name << ' ' << value.mean / expected.mean << " +- " << value.error / value.mean

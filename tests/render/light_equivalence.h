@@ -7,6 +7,18 @@
 
 namespace sunfleck::engine::testing_support {
 
+inline const std::string kLamp = "AreaLightSource \"diffuse\" \"rgb L\" [10 9 7]\n" +
+                                 diffuse("0 0 0") + "ReverseOrientation\n" +
+                                 quad("-.4 -.6 1.9  .4 -.6 1.9  .4 .2 1.9  -.4 .2 1.9");
+
+inline std::string room_with_metal() {
+    return diffuse("0.6 0.5 0.4") + quad("-1 1 0  1 1 0  1 1 2  -1 1 2") +
+           quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0") + diffuse("0.6 0.1 0.1") +
+           quad("-1 -1 0  -1 1 0  -1 1 2  -1 -1 2") +
+           "Material \"conductor\" \"float roughness\" 0.4 \"bool remaproughness\" false\n" +
+           box({0.2, 0, 0}, {0.9, 0.7, 0.6});
+}
+
 struct LightTracingEffort {
     int renders;
     double tolerance = 0.005;

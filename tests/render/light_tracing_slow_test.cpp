@@ -6,39 +6,12 @@ namespace {
 
 using namespace testing_support;  // NOLINT(google-build-using-namespace): a test's own helpers
 
-const std::string kLamp = "AreaLightSource \"diffuse\" \"rgb L\" [10 9 7]\n" + diffuse("0 0 0") +
-                          "ReverseOrientation\n" +
-                          quad("-.4 -.6 1.9  .4 -.6 1.9  .4 .2 1.9  -.4 .2 1.9");
-
-std::string room() {
-    return diffuse("0.6 0.5 0.4") + quad("-1 1 0  1 1 0  1 1 2  -1 1 2") +
-           quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0") + diffuse("0.6 0.1 0.1") +
-           quad("-1 -1 0  -1 1 0  -1 1 2  -1 -1 2") +
-           "Material \"conductor\" \"float roughness\" 0.4 \"bool remaproughness\" false\n" +
-           box({0.2, 0, 0}, {0.9, 0.7, 0.6});
-}
-
-/// The lamp is in view too, and a filter that reaches over pixels.
-TEST(LightTracing, of_a_room) {
-    const std::string camera =
-        "LookAt 0 -3 1  0 0 1  0 0 1\nCamera \"perspective\" \"float fov\" 45\n"
-        "Film \"rgb\" \"integer xresolution\" 32 \"integer yresolution\" 32\n"
-        "PixelFilter \"mitchell\" \"float xradius\" 2 \"float yradius\" 2\nWorldBegin\n";
-    expect_equal(scene_of(camera + room() + kLamp), Integrator::path, {24});
-}
-
 TEST(LightTracing, through_a_lens) {
     const std::string camera =
         "LookAt 0 -3 1  0 0 1  0 0 1\nCamera \"perspective\" \"float fov\" 20 \"float lensradius\" "
         "0.2 \"float focaldistance\" 1.5\n" +
         film(32) + "WorldBegin\n";
-    expect_equal(scene_of(camera + room() + kLamp), Integrator::path, {24});
-}
-
-TEST(LightTracing, of_all_directions) {
-    const std::string camera =
-        "LookAt 0 -.5 1  0 0 1  0 0 1\nCamera \"spherical\"\n" + film(32) + "WorldBegin\n";
-    expect_equal(scene_of(camera + room() + kLamp), Integrator::path, {40});
+    expect_equal(scene_of(camera + room_with_metal() + kLamp), Integrator::path, {24});
 }
 
 TEST(LightTracing, in_parallel) {
@@ -46,7 +19,7 @@ TEST(LightTracing, in_parallel) {
         "LookAt 0 -3 1  0 0 1  0 0 1\nCamera \"orthographic\" \"float screenwindow\" "
         "[-.9 .9 -.9 .9]\n" +
         film(32) + "WorldBegin\n";
-    expect_equal(scene_of(camera + room() + kLamp), Integrator::path, {24});
+    expect_equal(scene_of(camera + room_with_metal() + kLamp), Integrator::path, {24});
 }
 
 /// Vertex normals that lean: the adjoint of what the path tracer does with them.

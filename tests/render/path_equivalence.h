@@ -9,6 +9,18 @@ namespace sunfleck::engine::testing_support {
 
 inline constexpr int kSize = 40;
 
+/// A room with coloured walls, open to one side, with an area light and a block.
+inline Scene diffuse_room(const std::string& look, double fov) {
+    return scene_of(view(look, fov, kSize) + diffuse("0.6 0.6 0.6") +
+                    quad("-1 1 0  1 1 0  1 1 2  -1 1 2") + quad("-1 -1 0  1 -1 0  1 1 0  -1 1 0") +
+                    quad("-1 -1 2  -1 1 2  1 1 2  1 -1 2") + diffuse("0.6 0.1 0.1") +
+                    quad("-1 -1 0  -1 1 0  -1 1 2  -1 -1 2") + diffuse("0.1 0.5 0.1") +
+                    quad("1 -1 0  1 -1 2  1 1 2  1 1 0") + diffuse("0.6 0.6 0.6") +
+                    box({0.2, 0, 0}, {0.9, 0.7, 0.6}) +
+                    "AreaLightSource \"diffuse\" \"rgb L\" [10 9 7]\nReverseOrientation\n" +
+                    quad("-.4 -.6 1.9  .4 -.6 1.9  .4 .2 1.9  -.4 .2 1.9"));
+}
+
 /// Brightness over independent renders of a batch each.
 inline Estimate brightness(const Scene& scene, RenderSettings settings, int renders) {
     return Estimate::over(renders, [&](int i) {
