@@ -119,7 +119,9 @@ WayTrials camera_trials(const CameraPass& camera, const CameraTrial& seen, const
         moments.add(image);
     }
     const double fewer = pixels_of_a_path(camera.cells);  // paths than in a pass
-    return {moments.brought(camera_work(seen.counts) * fewer, 1 / fewer), {}};
+    return {.camera = moments.brought(camera_work(seen.counts) * fewer, 1 / fewer),
+            .photons = {},
+            .goes_beyond = camera.transport.goes_beyond_diffuse()};
 }
 
 void add_photon_trials(const CameraPass& camera, const CameraTrial& seen,
@@ -153,7 +155,7 @@ double error_of_way(const WayTrials& one, const WayTrials& other, Objective obje
     const double found =
         std::sqrt(noise.camera * one.camera.work) + std::sqrt(noise.photons * one.photons.work);
     const double work = one.camera.work + one.photons.work;
-    return found * found + one.photons.passes * missing * work;
+    return found * found + one.passes() * missing * work;
 }
 
 }  // namespace sunfleck::engine

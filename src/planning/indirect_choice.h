@@ -9,6 +9,7 @@
 #include "aovs/objective.h"
 #include "planning/photon_trials.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -26,8 +27,9 @@ struct Brought {
 /// Trials of one way.
 struct WayTrials {
     Brought camera;
-    Brought photons;         // empty if none were tried
-    std::uint32_t sets = 0;  // of photons
+    Brought photons;           // empty if none were tried
+    std::uint32_t sets = 0;    // of photons
+    bool goes_beyond = false;  // whether camera paths bring indirect light
 
     /// Returns the mean of a pixel.
     double light(std::size_t block) const {
@@ -37,6 +39,11 @@ struct WayTrials {
     double variance(std::size_t block) const {
         return camera.variance[block] / camera.passes +
                (sets > 0 ? photons.variance[block] / photons.passes : 0);
+    }
+    /// Returns the passes that have missed what was not found, by the paths that have the most.
+    double passes() const {
+        if (sets == 0) return 0;  // photons may bring it
+        return goes_beyond ? std::max(camera.passes, photons.passes) : photons.passes;
     }
     std::size_t blocks() const { return camera.light.size(); }
 };

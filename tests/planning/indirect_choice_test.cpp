@@ -83,6 +83,17 @@ TEST(ErrorOfWay, is_large_where_light_is_missing_in_one_dark_block) {
     EXPECT_EQ(relative_error(without, with), 0);
 }
 
+/// What four trials of camera paths that go on have not found is rarer than one in four.
+TEST(ErrorOfWay, counts_what_camera_paths_have_missed_by_their_trials) {
+    WayTrials one = trials(0, 0);
+    one.camera.passes = 4;
+    const double missed_by_photons = relative_error(one, trials(0.01));
+    one.goes_beyond = true;
+    EXPECT_NEAR(relative_error(one, trials(0.01)), 4 * missed_by_photons, 1e-9);
+    one.sets = 0;  // photons may bring it
+    EXPECT_EQ(relative_error(one, trials(0.01)), 0);
+}
+
 TEST(ErrorOfWay, is_zero_in_the_dark) {
     EXPECT_EQ(relative_error(trials(0, 0), trials(0, 0)), 0);
 }
