@@ -41,3 +41,11 @@ string(JOIN " " SUNFLECK_UNPACKER_FLAGS ${flags})
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
+# Serves the page of a render under way. Its header must know how Debian has built the library.
+find_path(SUNFLECK_HTTPLIB_HEADERS httplib.h REQUIRED)
+find_library(SUNFLECK_HTTPLIB cpp-httplib REQUIRED)
+add_library(sunfleck_http INTERFACE)
+target_include_directories(sunfleck_http SYSTEM INTERFACE ${SUNFLECK_HTTPLIB_HEADERS})
+target_compile_definitions(sunfleck_http INTERFACE CPPHTTPLIB_OPENSSL_SUPPORT
+  CPPHTTPLIB_ZLIB_SUPPORT CPPHTTPLIB_BROTLI_SUPPORT)
+target_link_libraries(sunfleck_http INTERFACE ${SUNFLECK_HTTPLIB})

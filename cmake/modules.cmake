@@ -82,6 +82,8 @@ sunfleck_module(planning NEEDS module_stages)
 sunfleck_module(flags NEEDS module_stages module_import)
 sunfleck_module(render NEEDS module_planning module_ranks module_reference)
 sunfleck_module(stats NEEDS module_render nlohmann_json::nlohmann_json)
+sunfleck_module(live ALONE server site NEEDS module_render nlohmann_json::nlohmann_json)
+target_link_libraries(module_live PRIVATE sunfleck_http)
 sunfleck_module(library NEEDS module_stats module_flags module_import)
 file(GLOB figures CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/experiment/figures/*.cpp)
 sunfleck_module(experiment NEEDS module_import module_procedural module_report module_film nlohmann_json::nlohmann_json)
@@ -92,17 +94,33 @@ sunfleck_module(report NEEDS module_compare)
 add_library(sunfleck_lab INTERFACE)
 target_link_libraries(sunfleck_lab INTERFACE module_experiment module_procedural module_report)
 
-# The page's own files and the chart library, inside the program.
+# sunfleck_embed(MODULE PARTS [DEPENDS files...]): pages' files inside the program, as PARTS of
+# cmake/embed.cmake, declared by the module's assets.h.
+function(sunfleck_embed module parts)
+  cmake_parse_arguments(E "" "" "DEPENDS" ${ARGN})
+  set(assets ${PROJECT_BINARY_DIR}/${module}_assets.cpp)
+  add_custom_command(OUTPUT ${assets}
+    COMMAND ${CMAKE_COMMAND} -DOUT=${assets} -DHEADER=${module}/assets.h "-DPARTS=${parts}"
+      -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    DEPENDS ${E_DEPENDS} ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
+    VERBATIM)
+  target_sources(module_${module} PRIVATE ${assets})
+  set_source_files_properties(${assets} PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings)
+endfunction()
+
+# What pages have in common, the page of comparisons with the chart library, and that of a render.
+set(common ${PROJECT_SOURCE_DIR}/src/report/common)
 set(page ${PROJECT_SOURCE_DIR}/src/report/page)
-file(GLOB scripts CONFIGURE_DEPENDS ${page}/*.js)
-string(REPLACE ";" "," scripts_joined "${scripts}")
-set(assets ${PROJECT_BINARY_DIR}/report_assets.cpp)
-add_custom_command(OUTPUT ${assets}
-  COMMAND ${CMAKE_COMMAND} -DOUT=${assets} -DHEADER=report/assets.h
-    "-DPARTS=kPage=${page}/page.html|kPageStyle=${page}/page.css|kPageScript=${scripts_joined}|kChartLibrary=${SUNFLECK_CHART_JS}"
-    -P ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
-  DEPENDS ${page}/page.html ${page}/page.css ${scripts} ${SUNFLECK_CHART_JS}
-    ${PROJECT_SOURCE_DIR}/cmake/embed.cmake
-  VERBATIM)
-target_sources(module_report PRIVATE ${assets})
-set_source_files_properties(${assets} PROPERTIES COMPILE_OPTIONS -Wno-overlength-strings)
+set(live ${PROJECT_SOURCE_DIR}/src/live/page)
+file(GLOB common_scripts CONFIGURE_DEPENDS ${common}/*.js)
+file(GLOB page_scripts CONFIGURE_DEPENDS ${page}/*.js)
+file(GLOB live_scripts CONFIGURE_DEPENDS ${live}/*.js)
+string(REPLACE ";" "," page_joined "${common_scripts};${page_scripts}")
+string(REPLACE ";" "," live_joined "${common_scripts};${live_scripts}")
+sunfleck_embed(report
+  "kPage=${page}/page.html|kPageStyle=${common}/base.css,${page}/page.css|kPageScript=${page_joined}|kChartLibrary=${SUNFLECK_CHART_JS}"
+  DEPENDS ${page}/page.html ${page}/page.css ${common}/base.css ${common_scripts} ${page_scripts}
+    ${SUNFLECK_CHART_JS})
+sunfleck_embed(live
+  "kLivePage=${live}/page.html|kLiveStyle=${common}/base.css,${live}/page.css|kLiveScript=${live_joined}"
+  DEPENDS ${live}/page.html ${live}/page.css ${common}/base.css ${common_scripts} ${live_scripts})

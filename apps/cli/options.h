@@ -32,7 +32,10 @@ struct RenderOptions {
     double checkpoint_seconds = 60;             // least time between two checkpoints
     std::string resume;                         // checkpoint to continue, or empty
     LogLevel log = LogLevel::info;
-    std::string command;  // as typed, for the record
+    bool view = false;       // serve a page that shows the render as it goes on
+    bool view_open = false;  // and open it in a browser
+    bool view_stay = false;  // and go on serving it when the render has ended
+    std::string command;     // as typed, for the record
 };
 
 struct InfoOptions {

@@ -1,5 +1,6 @@
 // `sunfleck render`: scene in, pictures out.
 #include "apps/cli/commands.h"
+#include "apps/cli/live_view.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
 #include "apps/cli/progress.h"
@@ -61,15 +62,22 @@ RenderStep step_of(const Progress& progress) {
     return progress.is_learning ? RenderStep::learning : RenderStep::first_pass;
 }
 
-/// What rank 0 does while it renders: a progress line, snapshots and checkpoints if wanted.
-RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, KeptFiles& kept,
+/// What rank 0 does while it renders: a progress line, and if wanted snapshots, checkpoints and a
+/// page.
+/// @param view  null: no page.
+RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, LiveView* view, KeptFiles& kept,
                      RunFacts& facts) {
     const RenderOptions& options = setup.options;
     RenderHooks hooks;
-    hooks.report = [&](const Progress& p) {
+    hooks.report = [&, view](const Progress& p) {
         InterruptGuard::set_answer(answer_while(step_of(p), options));
         line.show(p);
+        if (view != nullptr) view->report(p);
     };
+    if (view != nullptr) {
+        hooks.watch = [view](const Film& film) { view->show(film); };
+        hooks.preview = [view](const Picture& picture) { view->preview(picture); };
+    }
     hooks.interrupted = &InterruptGuard::interrupted();
     if (!options.snapshots.empty())
         hooks.snapshot = [&](const RenderResult& so_far) {
@@ -140,6 +148,8 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     });
     std::optional<ProgressLine> line(std::in_place,
                                      ranks.is_first() && asked.log == LogLevel::info);
+    std::optional<LiveView> view;
+    if (asked.view && ranks.is_first()) view.emplace(asked);
     const auto setup = together(ranks, [&] { return prepare(options_of(asked, ranks), ranks); });
     together(ranks, [&] {
         check_same_render(ranks, key_of(setup->job));
@@ -166,11 +176,14 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     KeptFiles kept(options);
     std::optional<RenderState> earlier;
     if (setup->checkpoint) earlier = std::move(setup->checkpoint->state);
-    const RenderResult result =
-        render(setup->job, hooks_of(*setup, *line, kept, facts), std::move(earlier), ranks);
+    if (view) view->begin(*setup, facts.warnings, earlier ? &earlier->film : nullptr);
+    const RenderHooks hooks = hooks_of(*setup, *line, view ? &*view : nullptr, kept, facts);
+    const RenderResult result = render(setup->job, hooks, std::move(earlier), ranks);
+    if (view) view->show_last(result);
     write_all(*setup, result, facts, line);
     kept.checkpoints.finish();
     kept.snapshots.finish();
+    if (view) view->end(facts.warnings);
     return result.interrupted ? 130 : 0;
 }
 

@@ -50,6 +50,18 @@ void add_file_flags(CLI::App& app, RenderOptions& o) {
         if (option != app.get_help_ptr()) option->group("Files");
 }
 
+void add_view_flags(CLI::App& app, RenderOptions& o) {
+    CLI::Option* const view =
+        app.add_flag("--view", o.view,
+                     "Watch the render in a browser on this machine: its address is printed first");
+    CLI::Option* const open =
+        app.add_flag("--view-open", o.view_open, "Also open that address in the browser");
+    CLI::Option* const stay = app.add_flag(
+        "--view-stay", o.view_stay, "Also keep the page when the render has ended, until Ctrl+C");
+    for (CLI::Option* more : {open, stay}) more->needs(view);
+    for (CLI::Option* option : {view, open, stay}) option->group("View");
+}
+
 void add_run_flags(CLI::App& app, RenderOptions& o) {
     add_value(app,
               {.name = "--nthreads",
@@ -94,6 +106,7 @@ void add_render_flags(CLI::App& app, RenderOptions& o, RenderFlags& flags) {
     add_file_flags(app, o);
     add_request_flags(app, o.scene_request);
     for (const RenderFlag& row : render_flags()) add_flag(app, row, flags);
+    add_view_flags(app, o);
     add_run_flags(app, o);
 }
 

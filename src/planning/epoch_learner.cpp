@@ -92,10 +92,10 @@ EpochLearner::EpochLearner(const PassScene& scene, const RenderSettings& setting
     trial_.radius_factor *= trial_.cells;
 }
 
-void EpochLearner::look(const std::function<void(double)>& trial_traced) {
+void EpochLearner::look(const TrialTraced& trial_traced) {
     Stopwatch watch;
     seen_.emplace(view_of(trial_));
-    if (trial_traced) trial_traced(watch.lap() * pixels_of_a_path(trial_.cells));
+    if (trial_traced) trial_traced(watch.lap() * pixels_of_a_path(trial_.cells), *seen_);
     context_.emplace(PhotonContext{trial_.scene, epoch_.transport, seen_->index});
     if (trial_.cells > 1) return;
     epoch_.edges = edges();

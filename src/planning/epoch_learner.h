@@ -26,7 +26,7 @@ public:
     ~EpochLearner() = default;
 
     /// Traces visible points, few in a large picture. @param trial_traced  see learn_epoch().
-    void look(const std::function<void(double)>& trial_traced);
+    void look(const TrialTraced& trial_traced);
     /// Learns where photon paths start, after look(). @param start  of trials of worth: boxes() of
     /// the way `photons`, or Epoch::worth of the epoch before.
     void plan(WorthStart start = {});

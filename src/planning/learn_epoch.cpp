@@ -36,7 +36,7 @@ bool camera_is_better(EpochLearner& photons, EpochLearner& sampled, Objective ob
 /// Returns the first epoch by the way `sampled`, or by the better one. In either case chains of the
 /// way `photons` explore the scene, and trials of worth start where they have been.
 Epoch first_epoch(const PassScene& scene, const RenderSettings& settings, IndirectLight way,
-                  const std::function<void(double)>& trial_traced) {
+                  const TrialTraced& trial_traced) {
     const bool is_sampled = way == IndirectLight::sampled;
     EpochLearner photons(scene, settings, IndirectLight::photons, 0);
     photons.look(is_sampled ? nullptr : trial_traced);
@@ -59,7 +59,7 @@ IndirectLight way_of(const RenderSettings& settings) {
 
 /// Learns an epoch. @param before  one before it, if any is known.
 Epoch learned_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t number,
-                    const Epoch* before, const std::function<void(double)>& trial_traced) {
+                    const Epoch* before, const TrialTraced& trial_traced) {
     IndirectLight way = way_of(settings);
     std::optional<Epoch> first;
     const bool aims = way == IndirectLight::sampled && settings.photon.emission_guide;
@@ -115,7 +115,7 @@ bool needs_learning(const Scene& scene, const RenderSettings& settings) {
 }
 
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
-                  const std::function<void(double)>& trial_traced, const Epoch* before) {
+                  const TrialTraced& trial_traced, const Epoch* before) {
     const std::uint32_t number = epoch_of(pass);
     Stopwatch watch;
     if (before && before->number >= number) before = nullptr;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include "planning/epoch.h"
+#include "planning/photon_trials.h"
 #include "stages/settings.h"
 
 #include <functional>
@@ -19,12 +20,10 @@ namespace sunfleck::engine {
 bool needs_learning(const Scene& scene, const RenderSettings& settings);
 
 /// Returns the epoch of a pass.
-/// @param trial_traced  called, long before learning ends, with the seconds that camera paths and
-///                      index of one trial took.
+/// @param trial_traced  called long before learning ends.
 /// @param before  an earlier epoch of the same render: saves what was learned for it, and changes
 ///                nothing.
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
-                  const std::function<void(double)>& trial_traced = {},
-                  const Epoch* before = nullptr);
+                  const TrialTraced& trial_traced = {}, const Epoch* before = nullptr);
 
 }  // namespace sunfleck::engine

@@ -10,6 +10,7 @@
 #include "photon/light_stratum.h"
 #include "planning/trial_variance.h"
 
+#include <functional>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -24,6 +25,10 @@ struct CameraTrial {
 };
 
 CameraTrial view_of(const CameraPass& pass);
+
+/// Told of the first trial of an epoch: the seconds that camera paths and index of a whole pass
+/// would take, and what it has seen.
+using TrialTraced = std::function<void(double seconds, const CameraTrial& seen)>;
 
 /// Returns the pixels that each path of a trial stands for. @param cells  of the trial.
 inline double pixels_of_a_path(int cells) {

@@ -14,7 +14,7 @@ namespace sunfleck::engine {
 /// What is asked and told while a pass is made. Each may be absent.
 struct PassHooks {
     std::function<void(bool begins)> learning;  // begins, or is over
-    std::function<void(double)> trial_traced;   // while learning: see learn_epoch()
+    TrialTraced trial_traced;                   // while learning
     std::function<bool()> cuts_learning;        // asked on any thread: is it to be cut short?
     std::function<bool()> cuts_pass;            // the same of the pass itself
     FilmChange change;                          // as in RenderHooks

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "film/target_error.h"
+#include "image/picture.h"
 #include "render/render_state.h"
 
 #include <atomic>
@@ -42,6 +43,11 @@ struct RenderHooks {
     std::function<void(const Progress&)> report;
     /// Called after 1, 2, 4, 8 ... passes and at the end; its time does not count.
     std::function<void(const RenderResult&)> snapshot;
+    /// Called after each pass, or interval of several ranks, with all passes so far.
+    std::function<void(const Film&)> watch;
+    /// Called while the first pass is planned, with a picture of fewer pixels: what light camera
+    /// paths alone have found. Not where nothing is learned, nor by several ranks.
+    std::function<void(const Picture&)> preview;
     /// Tested after each pass, and during the learning of later epochs.
     const std::atomic<bool>* interrupted = nullptr;
     /// Tested continuously: learning and the current pass are cancelled and left out. Passes of a

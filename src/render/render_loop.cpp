@@ -2,6 +2,7 @@
 #include "render/render_loop.h"
 
 #include "render/render_scheduler.h"
+#include "render/trial_picture.h"
 
 namespace sunfleck::engine {
 
@@ -21,7 +22,11 @@ void RenderLoop::run(const StopSettings& stop, const RenderHooks& hooks) {
     result_.interrupted = false;
     RenderScheduler scheduler(job_, hooks, result_, 1);
     const PassHooks asked{[&](bool begins) { scheduler.report_learning(begins); },
-                          [&](double seconds) { scheduler.trial_traced(seconds); },
+                          [&](double seconds, const CameraTrial& seen) {
+                              scheduler.trial_traced(seconds);
+                              if (hooks.preview && result_.film.pass_count() == 0)
+                                  hooks.preview(trial_picture(seen, window_of(job_.scene.film())));
+                          },
                           [&] { return scheduler.cuts_learning(); },
                           [&] { return scheduler.cuts_pass(); }, hooks.change};
     for (PassRange interval = scheduler.next_interval(); interval.size() > 0;

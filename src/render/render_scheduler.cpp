@@ -180,6 +180,7 @@ void RenderScheduler::interval_ended(double of_others, bool interrupted) {
         (state_.total_seconds - interval_began_ - learning) / static_cast<double>(of_a_rank);
     follow();
     if (hooks_.report) hooks_.report(progress_);
+    if (hooks_.watch) hooks_.watch(state_.film);
     shown_ = hooks_.snapshot && std::has_single_bit(progress_.passes);
     if (shown_) clock_.aside([&] { hooks_.snapshot(state_); });
     saved_ = hooks_.save && progress_.seconds - saved_at_ >= hooks_.save_every;

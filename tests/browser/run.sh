@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Opens a page of `sunfleck compare` in Debian's Chromium and works it (page_test.mjs).
+# Opens a page of `sunfleck compare` and that of a render under way in Debian's Chromium, and works
+# them (page_test.mjs, live_test.mjs).
 # Usage: run.sh SUNFLECK FOLDER. What npm brings and the pictures go to FOLDER.
 # Exit code 77, with a line why, where Chromium, node or npm are missing or npm reaches no registry.
 set -euo pipefail
@@ -38,3 +39,6 @@ node page_test.mjs known
 "$program" compare renders/reference.exr renders/uniform renders/adaptive known/bright.pfm \
     --report page.html >/dev/null
 node page_test.mjs page "$(command -v chromium)" "$PWD/page.html"
+
+cp "$here/live_test.mjs" .
+node live_test.mjs "$(command -v chromium)" "$program" renders/cornell.pbrt

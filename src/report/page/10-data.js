@@ -1,7 +1,6 @@
 // What the page shows: the numbers, and each picture's pixels as 16-bit floats.
 "use strict";
 
-const byId = (id) => document.getElementById(id);
 const numbers = JSON.parse(byId("numbers").textContent);
 
 /** In the order of the table's columns; `best` is what equal pictures give. */
@@ -50,15 +49,4 @@ const size = { width: numbers.width, height: numbers.height };
 /** Linear R, G, B of a pixel. */
 function valueAt(picture, pixel) {
   return [0, 1, 2].map((c) => HALF_VALUES[picture.halves[3 * pixel + c]] / picture.scale);
-}
-
-/** Of linear sRGB. */
-const luminanceOf = ([r, g, b]) => 0.2126 * r + 0.7152 * g + 0.0722 * b;
-
-/** A number for people: four digits. */
-function shortNumber(value) {
-  if (value === null || value === undefined) return "–";
-  if (value === 0 || !Number.isFinite(value)) return String(value);
-  const size = Math.abs(value);
-  return size >= 1e5 || size < 1e-3 ? value.toExponential(2) : String(Number(value.toPrecision(4)));
 }

@@ -1,25 +1,6 @@
 // From pixels to what is on the screen: exposure, false colour, error maps.
 "use strict";
 
-// Points of colour maps, evenly spaced. Viridis and magma: S. van der Walt and N. Smith (CC0);
-// red-blue: C. Brewer, colorbrewer2 (Apache 2.0).
-const VIRIDIS = mapOf("440154 482878 3e4989 31688e 26828e 1f9e89 35b779 6ece58 b5de2b fde725");
-const MAGMA = mapOf("000004 180f3d 440f76 721f81 9e2f7f cd4071 f1605d fd9668 feca8d fcfdbf");
-const BLUE_RED = mapOf("053061 2166ac 4393c3 92c5de d1e5f0 f7f7f7 fddbc7 f4a582 d6604d b2182b 67001f");
-
-/** 256 colours as one array of r, g, b. */
-function mapOf(hexes) {
-  const points = hexes.split(" ").map((h) => [0, 2, 4].map((i) => parseInt(h.slice(i, i + 2), 16)));
-  const table = new Uint8Array(768);
-  for (let i = 0; i < 256; ++i) {
-    const place = (i / 255) * (points.length - 1);
-    const before = Math.min(Math.floor(place), points.length - 2);
-    for (let c = 0; c < 3; ++c)
-      table[3 * i + c] = points[before][c] + (place - before) * (points[before + 1][c] - points[before][c]);
-  }
-  return table;
-}
-
 const EPSILON = 0.01; // of the relative errors, as in the table
 const DECADES = [-3, 1]; // of luminance, at exposure 0
 
@@ -47,13 +28,10 @@ const SHOWS = {
   flip: { name: "FLIP", map: MAGMA, range: () => ["0", "1"] },
 };
 
-/** The byte on the screen of each half float: linear light to sRGB (IEC 61966-2-1). */
+/** The byte on the screen of each half float. */
 function screenBytes(exposure, scale) {
   const factor = 2 ** exposure / scale;
-  return Uint8Array.from(HALF_VALUES, (value) => {
-    const light = Math.min(Math.max(value * factor, 0), 1) || 0;
-    return Math.round(255 * (light <= 0.0031308 ? 12.92 * light : 1.055 * light ** (1 / 2.4) - 0.055));
-  });
+  return Uint8Array.from(HALF_VALUES, (value) => screenByte(value * factor));
 }
 
 function paintPicture(picture, exposure, out) {

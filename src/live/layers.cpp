@@ -1,0 +1,48 @@
+// Channels by the name before their last dot.
+#include "live/layers.h"
+
+#include <bit>
+#include <cstdint>
+
+namespace sunfleck::engine {
+namespace {
+
+std::string layer_name(const std::string& channel) {
+    const std::size_t dot = channel.rfind('.');
+    return dot == std::string::npos ? "picture" : channel.substr(0, dot);
+}
+
+/// Returns the nearest number of 16 bits; of two as near, the even one.
+std::uint16_t upper_half(float value) {
+    const auto bits = std::bit_cast<std::uint32_t>(value);
+    const bool is_finite = (bits & 0x7f800000U) != 0x7f800000U;
+    const std::uint32_t odd = bits >> 16U & 1U;
+    return static_cast<std::uint16_t>((is_finite ? bits + 0x7fffU + odd : bits) >> 16U);
+}
+
+}  // namespace
+
+std::vector<LiveLayer> layers_of(const Picture& picture) {
+    std::vector<LiveLayer> layers;
+    for (const Channel& channel : picture.channels) {
+        std::string name = layer_name(channel.name);
+        if (layers.empty() || layers.back().name != name) layers.push_back({std::move(name), {}});
+        layers.back().channels.push_back(&channel);
+    }
+    return layers;
+}
+
+std::string layer_bytes(const LiveLayer& layer) {
+    std::string bytes;
+    for (const Channel* channel : layer.channels) {
+        bytes.reserve(2 * layer.channels.size() * channel->values.size());
+        for (const float value : channel->values) {
+            const std::uint16_t half = upper_half(value);
+            bytes.push_back(static_cast<char>(half & 255U));
+            bytes.push_back(static_cast<char>(half >> 8U));
+        }
+    }
+    return bytes;
+}
+
+}  // namespace sunfleck::engine

@@ -1,0 +1,25 @@
+// Layers of a picture as a page gets them: the picture itself and each AOV, in 16-bit numbers.
+//
+// The numbers are the upper halves of floats ("bfloat16"): as bright as a sun may be, and as dark
+// as its shadow, to 1 part in 256. Half floats end at 65,504.
+#pragma once
+
+#include "image/picture.h"
+
+#include <string>
+#include <vector>
+
+namespace sunfleck::engine {
+
+struct LiveLayer {
+    std::string name;  // "picture", or an AOV's: "caustic", "error"
+    std::vector<const Channel*> channels;
+};
+
+/// Returns the layers in the order of their channels; they point into the picture.
+std::vector<LiveLayer> layers_of(const Picture& picture);
+
+/// Returns the values of one channel after the other, little-endian, rounded to the nearest.
+std::string layer_bytes(const LiveLayer& layer);
+
+}  // namespace sunfleck::engine

@@ -1,0 +1,108 @@
+// Routes and limits.
+#include "live/server.h"
+
+#include "sunfleck/error.h"
+
+#include <fmt/format.h>
+#include <httplib.h>
+
+#include <utility>
+
+namespace sunfleck::engine {
+namespace {
+
+constexpr int kWorkers = 32;  // connections at a time; others wait
+constexpr int kSeconds = 5;   // that a peer may keep a connection waiting
+constexpr std::size_t kLongestBody = 1024;
+constexpr std::chrono::milliseconds kTick(1);
+constexpr std::chrono::milliseconds kFarewell(1000);  // for viewers to hear the last text
+
+/// The library's wish for a queue, as a way to ours.
+class Queue : public httplib::TaskQueue {
+public:
+    explicit Queue(Workers& workers) : workers_(workers) {}
+    void enqueue(std::function<void()> task) override { workers_.add(std::move(task)); }
+    void shutdown() override {}  // ~LiveServer waits
+
+private:
+    Workers& workers_;
+};
+
+httplib::Headers usual_headers() {
+    return {{"Cache-Control", "no-store"},
+            {"X-Content-Type-Options", "nosniff"},
+            {"Referrer-Policy", "no-referrer"},
+            {"Content-Security-Policy",
+             "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline'; "
+             "connect-src 'self'; img-src data:; frame-ancestors 'none'; base-uri 'none'; "
+             "form-action 'none'"}};
+}
+
+void set_limits(httplib::Server& server) {
+    server.set_payload_max_length(kLongestBody);
+    server.set_read_timeout(kSeconds);
+    server.set_write_timeout(kSeconds);
+    server.set_keep_alive_max_count(1);  // one that is kept would take a worker
+    server.set_default_headers(usual_headers());
+}
+
+using Handled = httplib::Server::HandlerResponse;
+
+/// @param site  is kept as long as any of its answers.
+void set_routes(httplib::Server& server, const std::shared_ptr<LiveSite>& site) {
+    server.set_pre_routing_handler([site](const httplib::Request& q, httplib::Response& response) {
+        if (site->may_ask(q)) return Handled::Unhandled;
+        response.status = 403;
+        response.set_content("This address needs the token that the render has printed.\n",
+                             "text/plain");
+        return Handled::Handled;
+    });
+    server.Get("/", [page = live_page()](const httplib::Request&, httplib::Response& response) {
+        response.set_content(page, "text/html; charset=utf-8");
+    });
+    server.Get("/texts", [site](const httplib::Request&, httplib::Response& response) {
+        site->answer_texts(response);
+    });
+    server.Get("/picture", [site](const httplib::Request& q, httplib::Response& response) {
+        site->answer_picture(q, response);
+    });
+    server.Post("/stop", [site](const httplib::Request&, httplib::Response& response) {
+        site->end_render();
+        response.set_content("The render ends after this pass.\n", "text/plain");
+    });
+}
+
+}  // namespace
+
+LiveServer::LiveServer(std::shared_ptr<LiveBoard> board, std::function<void()> stop)
+    : board_(std::move(board)),
+      site_(std::make_shared<LiveSite>(board_, std::move(stop))),
+      workers_(kWorkers),
+      server_(std::make_unique<httplib::Server>()) {
+    server_->new_task_queue = [this] { return new Queue(workers_); };
+    set_limits(*server_);
+    set_routes(*server_, site_);
+    port_ = server_->bind_to_any_port("127.0.0.1");
+    if (port_ <= 0)
+        throw Error({"--view"}, "no port of 127.0.0.1 is free", "render without it",
+                    ErrorCode::machine);
+    thread_ = std::thread([this] { server_->listen_after_bind(); });
+    while (!server_->is_running()) std::this_thread::sleep_for(kTick);  // or nothing stops it
+}
+
+LiveServer::~LiveServer() {
+    board_->close();
+    for (auto left = kFarewell; left.count() > 0 && site_->watching() > 0; left -= kTick)
+        std::this_thread::sleep_for(kTick);
+    server_->stop();
+    thread_.join();
+    // A peer that dawdles keeps its thread, and with it the server, for as long as the program
+    // runs.
+    if (!workers_.end(kFarewell)) static_cast<void>(server_.release());
+}
+
+std::string LiveServer::url() const {
+    return fmt::format("http://127.0.0.1:{}/?token={}", port_, site_->token());
+}
+
+}  // namespace sunfleck::engine

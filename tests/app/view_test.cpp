@@ -1,0 +1,103 @@
+// `render --view`: its address, its page, and a render that does not mind being watched.
+#include "app/program.h"
+#include "live/http.h"
+
+namespace sunfleck::engine {
+namespace {
+
+using testing_support::Address;
+using testing_support::ask;
+using testing_support::body_of;
+using testing_support::Connection;
+using testing_support::Process;
+using testing_support::ProgramTest;
+using testing_support::Ran;
+using testing_support::read_text;
+using testing_support::request;
+using testing_support::status_of;
+using testing_support::Words;
+using testing_support::operator+;
+
+class View : public ProgramTest {
+protected:
+    static Words words(const Words& more) {
+        Words all{"render", "room.pbrt", "--photons-per-pass", "2000", "--resolution", "32x32"};
+        all.insert(all.end(), more.begin(), more.end());
+        return all;
+    }
+
+    /// The address that a render under way has said, on a line of its own.
+    Address address() const {
+        using namespace std::chrono_literals;
+        for (int i = 0; i < 1000; ++i, std::this_thread::sleep_for(10ms)) {
+            std::istringstream lines(read_text(path("stderr~")));
+            for (std::string line; std::getline(lines, line);)
+                if (line.starts_with("http://") && !lines.eof()) return Address(line);
+        }
+        ADD_FAILURE() << "no address";
+        return Address("");
+    }
+};
+
+TEST_F(View, shows_a_render_until_it_ends_and_leaves_its_bytes_alone) {
+    ASSERT_EQ(run(words({"--passes", "12", "-o", "plain.exr", "--quiet"})).code, 0);
+    Process process(path(""), words({"--passes", "12", "-o", "x.exr", "--view"}));
+    const Address at = address();
+    const Connection viewer(at.port);
+    viewer.send(request("GET", "/texts?token=" + at.token));
+    const std::string texts = viewer.receive_until();
+    const Ran ran = process.wait();
+    EXPECT_EQ(ran.code, 0) << ran.err;
+    EXPECT_NE(texts.find("\"scene\":\"room.pbrt\""), std::string::npos) << texts;
+    EXPECT_NE(texts.find("\"stage\":\"ended\""), std::string::npos) << texts;
+    EXPECT_NE(texts.find("\"passes\":12"), std::string::npos) << texts;
+    EXPECT_EQ(read_text(path("x.exr")), read_text(path("plain.exr")));
+}
+
+TEST_F(View, stays_until_the_user_ends_it) {
+    Process process(path(""), words({"--passes", "2", "-o", "x.exr", "--view", "--view-stay"}));
+    const Address at = address();
+    const Connection viewer(at.port);
+    viewer.send(request("GET", "/texts?token=" + at.token));
+    EXPECT_NE(viewer.receive_until("\"ended\"").find("\"ended\""), std::string::npos);
+    EXPECT_TRUE(exists("x.exr"));
+    const std::string picture = ask(at.port, request("GET", "/picture?token=" + at.token));
+    EXPECT_EQ(body_of(picture).size(), 3U * 2 * 32 * 32) << status_of(picture);
+    process.send(SIGINT);
+    EXPECT_EQ(process.wait().code, 0);
+}
+
+TEST_F(View, can_end_a_render_that_keeps_its_picture) {
+    Process process(path(""), words({"--passes", "1000000", "-o", "x.exr", "--view"}));
+    const Address at = address();
+    const Connection viewer(at.port);
+    viewer.send(request("GET", "/texts?token=" + at.token));
+    EXPECT_NE(viewer.receive_until("\"passes\":3").find("\"passes\":3"), std::string::npos);
+    const std::string stop =
+        request("POST", "/stop?token=" + at.token, "127.0.0.1", "Content-Length: 0\r\n");
+    EXPECT_EQ(status_of(ask(at.port, stop)), 200);
+    ask(at.port, stop);  // twice, by two viewers: the second must not lose the picture
+    EXPECT_EQ(process.wait().code, 130);
+    EXPECT_TRUE(exists("x.exr"));
+}
+
+TEST_F(View, says_its_address_alone_before_it_reads_the_scene_but_not_when_quiet) {
+    const auto said = [&](const Words& more) {
+        return run(Words{"render", "nowhere.pbrt", "--view"} + more).err;
+    };
+    const std::string warnings = said({"--log-level", "warning"});
+    EXPECT_TRUE(warnings.starts_with("http://127.0.0.1:")) << warnings;
+    EXPECT_GT(Address(warnings.substr(0, warnings.find('\n'))).port, 0);
+    EXPECT_EQ(said({"--quiet"}).find("http"), std::string::npos);
+}
+
+TEST_F(View, is_needed_by_what_goes_with_it) {
+    for (const char* flag : {"--view-open", "--view-stay"}) {
+        const Ran ran = render({flag});
+        EXPECT_EQ(ran.code, 2) << flag;
+        EXPECT_NE(ran.err.find("--view"), std::string::npos) << ran.err;
+    }
+}
+
+}  // namespace
+}  // namespace sunfleck::engine
