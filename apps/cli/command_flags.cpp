@@ -75,6 +75,12 @@ void add_relight_flags(CLI::App& app, RelightOptions& o, RenderFlags& flags) {
     add_flag(app, render_flag("--exposure"), flags);
 }
 
+void add_view_flags(CLI::App& app, ViewOptions& o, RenderFlags& flags) {
+    app.add_option("PICTURE", o.picture, "EXR picture")->required()->type_name("FILE");
+    app.add_flag("--open", o.opens, "Also open its address in the browser");
+    add_flag(app, render_flag("--exposure"), flags);
+}
+
 void add_compare_flags(CLI::App& app, CompareOptions& o) {
     app.add_option("REF", o.reference, "The reference: a picture, [LABEL=]FILE")
         ->required()

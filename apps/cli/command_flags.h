@@ -23,6 +23,7 @@ void add_convert_flags(CLI::App& app, ConvertOptions& options);
 /// @param flags  receives the flags that merge and relight share with renders.
 void add_merge_flags(CLI::App& app, MergeOptions& options, RenderFlags& flags);
 void add_relight_flags(CLI::App& app, RelightOptions& options, RenderFlags& flags);
+void add_view_flags(CLI::App& app, ViewOptions& options, RenderFlags& flags);
 void add_compare_flags(CLI::App& app, CompareOptions& options);
 void add_experiment_flags(CLI::App& app, ExperimentOptions& options);
 void add_completion_flags(CLI::App& app, ManualOptions& options);

@@ -26,6 +26,7 @@ public:
         add_convert_flags(*convert_app_, convert_);
         add_merge_flags(*merge_app_, merge_, flags_);
         add_relight_flags(*relight_app_, relight_, flags_);
+        add_view_flags(*view_app_, view_, flags_);
         add_compare_flags(*compare_app_, compare_);
         add_experiment_flags(*experiment_app_, experiment_);
         add_completion_flags(*completion_app_, manual_);
@@ -84,6 +85,9 @@ public:
         } else if (relight_app_->parsed()) {
             relight_.exposure = flags_.finish().exposure.value_or(Exposure());
             options.relight = relight_;
+        } else if (view_app_->parsed()) {
+            view_.exposure = flags_.finish().exposure;
+            options.view = view_;
         } else if (experiment_app_->parsed()) {
             check_experiment(*experiment_app_);
             options.experiment = experiment_;
@@ -143,6 +147,8 @@ private:
     CLI::App* relight_app_ =
         add_command("relight", "Dim or brighten lights of a picture that has them apart",
                     "  sunfleck relight scene.exr sun=0.3 lamps=1,0.8,0.6 -o dim.png");
+    CLI::App* view_app_ = add_command("view", "Show a picture in a browser, with all its layers",
+                                      "  sunfleck view scene.exr --open");
     CLI::App* compare_app_ =
         add_command("compare", "Measure pictures against a reference, and show them",
                     "  sunfleck compare reference.exr a.exr b.exr --report pictures.html");
@@ -155,12 +161,13 @@ private:
     CLI::App* manual_app_ = add_command("manual", "Write man pages, and completion for all shells",
                                         "  sunfleck manual /usr/local/share");
     RenderOptions render_;
-    RenderFlags flags_;  // of the command that is given: render, merge or relight
+    RenderFlags flags_;  // of the command that is given: render, merge, relight or view
     InfoOptions info_;
     SceneOptions scene_;
     ConvertOptions convert_;
     MergeOptions merge_;
     RelightOptions relight_;
+    ViewOptions view_;
     CompareOptions compare_;
     ExperimentOptions experiment_;
     ManualOptions manual_;

@@ -22,6 +22,8 @@ int run_experiment(const ExperimentOptions& options);
 int run_merge(const MergeOptions& options);
 /// Dims or brightens the lights of a picture whose AOVs hold them apart.
 int run_relight(const RelightOptions& options);
+/// Shows a picture in a browser, until Ctrl+C.
+int run_view(const ViewOptions& options);
 /// Measures pictures against a reference, and writes the page that shows them.
 int run_compare(const CompareOptions& options);
 

@@ -46,22 +46,29 @@ void open_in_browser(const std::string& url, LogLevel log) {
         ::posix_spawnp(&child, program.c_str(), &files, nullptr, words.data(), environ);
     ::posix_spawn_file_actions_destroy(&files);
     if (fault != 0 && log != LogLevel::quiet)
-        say("warning: --view-open: there is no xdg-open; open the address above yourself");
+        say("warning: there is no xdg-open; open the address above yourself");
 }
 
 }  // namespace
 
-LiveView::LiveView(const RenderOptions& options)
-    : stays_(options.view_stay),
-      exposure_(options.request.exposure.value_or(usual_exposure(options.scene))),
-      extrapolate_(options.request.stop.error_terms.extrapolated),
+LiveViewing viewing_of(const RenderOptions& options) {
+    return {.name = std::filesystem::path(options.scene).filename().string(),
+            .exposure = options.request.exposure.value_or(usual_exposure(options.scene)),
+            .extrapolates = options.request.stop.error_terms.extrapolated,
+            .opens = options.view_open,
+            .stays = options.view_stay,
+            .log = options.log};
+}
+
+LiveView::LiveView(LiveViewing viewing)
+    : viewing_(std::move(viewing)),
       board_(std::make_shared<LiveBoard>()),
       server_(board_, stop_once()) {
-    status_.scene = std::filesystem::path(options.scene).filename().string();
+    status_.scene = viewing_.name;
     tell();
     const std::string url = server_.url();
-    if (options.log != LogLevel::quiet) say(url);
-    if (options.view_open) open_in_browser(url, options.log);
+    if (viewing_.log != LogLevel::quiet) say(url);
+    if (viewing_.opens) open_in_browser(url, viewing_.log);
 }
 
 void LiveView::begin(const RenderSetup& setup, const std::vector<std::string>& warnings,
@@ -97,15 +104,21 @@ void LiveView::show_last(const RenderState& result) {
     tell();
 }
 
+void LiveView::show_finished(Picture picture) {
+    status_.width = picture.width;
+    status_.height = picture.height;
+    put_up(std::move(picture), false);
+}
+
 void LiveView::show_now(const Film& film) {
     const Clock::time_point begin = Clock::now();
-    put_up(film_picture(film, {extrapolate_}), false);
+    put_up(film_picture(film, {viewing_.extrapolates}), false);
     const Clock::time_point end = Clock::now();
     next_ = end + std::max<Clock::duration>(kLeastPause, kOftenOverCost * (end - begin));
 }
 
 void LiveView::put_up(Picture picture, bool is_preview) {
-    status_.exposure = stops_of(exposure_, picture);
+    status_.exposure = stops_of(viewing_.exposure, picture);
     status_.is_preview = is_preview;
     status_.layers.clear();
     for (const LiveLayer& layer : layers_of(picture)) status_.layers.push_back(layer.name);
@@ -117,7 +130,7 @@ void LiveView::end(const std::vector<std::string>& warnings) {
     status_.warnings = warnings;
     status_.stage = LiveStage::ended;
     tell();
-    if (!stays_ || InterruptGuard::interrupted()) return;
+    if (!viewing_.stays || InterruptGuard::interrupted()) return;
     static constexpr InterruptAnswer kNothingIsLost{};
     InterruptGuard::set_answer(kNothingIsLost);
     constexpr std::chrono::milliseconds kTick(50);

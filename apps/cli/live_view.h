@@ -14,11 +14,24 @@
 
 namespace sunfleck::engine {
 
+/// How a page begins and ends.
+struct LiveViewing {
+    std::string name;  // of what is shown
+    Exposure exposure;
+    bool extrapolates = false;  // the bias away
+    bool opens = false;         // in a browser
+    bool stays = false;         // until a signal
+    LogLevel log = LogLevel::info;
+};
+
+/// Returns what the flags of a render ask for.
+LiveViewing viewing_of(const RenderOptions& options);
+
 class LiveView {
 public:
     /// Serves the page, and says its address unless the log is quiet.
     /// @throws Error if that cannot be.
-    explicit LiveView(const RenderOptions& options);
+    explicit LiveView(LiveViewing viewing);
 
     /// The scene has been read. @param earlier  passes of a render that goes on, or null.
     void begin(const RenderSetup& setup, const std::vector<std::string>& warnings,
@@ -29,6 +42,8 @@ public:
     void show(const Film& film);
     /// Shows the picture of a render that has ended.
     void show_last(const RenderState& result);
+    /// Shows a picture that is finished.
+    void show_finished(Picture picture);
     /// All files are written. Returns when the page is to go.
     void end(const std::vector<std::string>& warnings);
 
@@ -39,9 +54,7 @@ private:
     void show_now(const Film& film);
     void tell() { board_->tell(status_json(status_)); }
 
-    bool stays_;
-    Exposure exposure_;
-    bool extrapolate_;
+    LiveViewing viewing_;
     LiveStatus status_;
     Clock::time_point next_;  // picture at the earliest
     std::shared_ptr<LiveBoard> board_;

@@ -29,6 +29,7 @@ int run(int count, char** words, const Ranks& ranks) {
     if (options->merge) return run_merge(*options->merge);
     if (options->relight) return run_relight(*options->relight);
     if (options->experiment) return run_experiment(*options->experiment);
+    if (options->view) return run_view(*options->view);
     return run_compare(*options->compare);
 }
 

@@ -78,6 +78,12 @@ struct RelightOptions {
     Exposure exposure;
 };
 
+struct ViewOptions {
+    std::string picture;
+    std::optional<Exposure> exposure;
+    bool opens = false;  // in a browser
+};
+
 struct CompareOptions {
     std::string reference;
     std::vector<std::string> inputs;
@@ -95,6 +101,7 @@ struct Options {
     std::optional<RelightOptions> relight;
     std::optional<ExperimentOptions> experiment;
     std::optional<CompareOptions> compare;
+    std::optional<ViewOptions> view;
 };
 
 }  // namespace sunfleck::engine

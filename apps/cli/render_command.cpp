@@ -149,7 +149,7 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     std::optional<ProgressLine> line(std::in_place,
                                      ranks.is_first() && asked.log == LogLevel::info);
     std::optional<LiveView> view;
-    if (asked.view && ranks.is_first()) view.emplace(asked);
+    if (asked.view && ranks.is_first()) view.emplace(viewing_of(asked));
     const auto setup = together(ranks, [&] { return prepare(options_of(asked, ranks), ranks); });
     together(ranks, [&] {
         check_same_render(ranks, key_of(setup->job));

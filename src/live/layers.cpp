@@ -1,8 +1,10 @@
 // Channels by the name before their last dot.
 #include "live/layers.h"
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
+#include <string_view>
 
 namespace sunfleck::engine {
 namespace {
@@ -10,6 +12,12 @@ namespace {
 std::string layer_name(const std::string& channel) {
     const std::size_t dot = channel.rfind('.');
     return dot == std::string::npos ? "picture" : channel.substr(0, dot);
+}
+
+/// Returns the place of a channel in its layer; npos of what cannot be shown, as transparency.
+std::size_t order_of(const Channel& channel) {
+    constexpr std::string_view kShown = "RGBXYZ";
+    return kShown.find(channel.name.back());
 }
 
 /// Returns the nearest number of 16 bits; of two as near, the even one.
@@ -25,10 +33,16 @@ std::uint16_t upper_half(float value) {
 std::vector<LiveLayer> layers_of(const Picture& picture) {
     std::vector<LiveLayer> layers;
     for (const Channel& channel : picture.channels) {
+        if (order_of(channel) == std::string_view::npos) continue;
         std::string name = layer_name(channel.name);
-        if (layers.empty() || layers.back().name != name) layers.push_back({std::move(name), {}});
-        layers.back().channels.push_back(&channel);
+        auto layer = std::find_if(layers.begin(), layers.end(),
+                                  [&](const LiveLayer& known) { return known.name == name; });
+        if (layer == layers.end()) layer = layers.insert(layer, {std::move(name), {}});
+        layer->channels.push_back(&channel);
     }
+    for (LiveLayer& layer : layers)
+        std::sort(layer.channels.begin(), layer.channels.end(),
+                  [](const Channel* a, const Channel* b) { return order_of(*a) < order_of(*b); });
     return layers;
 }
 

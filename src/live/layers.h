@@ -16,7 +16,8 @@ struct LiveLayer {
     std::vector<const Channel*> channels;
 };
 
-/// Returns the layers in the order of their channels; they point into the picture.
+/// Returns the layers in the order of their first channels, which stand as R, G, B or X, Y, Z; they
+/// point into the picture.
 std::vector<LiveLayer> layers_of(const Picture& picture);
 
 /// Returns the values of one channel after the other, little-endian, rounded to the nearest.

@@ -23,7 +23,7 @@ TEST_F(Documentation, has_each_flag_of_each_command) {
           std::pair("experiment", "docs/guide/experiments.md"),
           std::pair("compare", "docs/guide/compare.md"),
           std::pair("relight", "docs/guide/relighting.md"),
-          std::pair("merge", "docs/reference/render.md"),
+          std::pair("view", "docs/guide/watch.md"), std::pair("merge", "docs/reference/render.md"),
           std::pair("convert", "docs/reference/convert.md"),
           std::pair("info", "docs/reference/render.md"), std::pair("scene", "scenes/README.md")}) {
         const std::string text = page(name);

@@ -15,8 +15,8 @@ using testing_support::read_text;
 using testing_support::Words;
 using testing_support::write_text;
 
-const Words kCommands = {"render",  "info",       "scene",      "merge", "relight",
-                         "compare", "experiment", "completion", "manual"};
+const Words kCommands = {"render", "info",    "scene",      "merge",      "relight",
+                         "view",   "compare", "experiment", "completion", "manual"};
 
 std::vector<std::string> parts_of(const std::string& text, char separator) {
     std::vector<std::string> parts;

@@ -91,6 +91,21 @@ TEST_F(View, says_its_address_alone_before_it_reads_the_scene_but_not_when_quiet
     EXPECT_EQ(said({"--quiet"}).find("http"), std::string::npos);
 }
 
+TEST_F(View, shows_a_finished_picture_with_its_layers_until_the_user_ends_it) {
+    ASSERT_EQ(run(words({"--passes", "2", "-o", "x.exr", "--aovs", "depth", "--quiet"})).code, 0);
+    Process process(path(""), {"view", "x.exr"});
+    const Address at = address();
+    const Connection viewer(at.port);
+    viewer.send(request("GET", "/texts?token=" + at.token));
+    const std::string text = viewer.receive_until("\"ended\"");
+    EXPECT_NE(text.find(R"("layers":["picture","depth","error"])"), std::string::npos) << text;
+    process.send(SIGINT);
+    EXPECT_EQ(process.wait().code, 0);
+    const Ran none = run({"view", "room.pbrt"});
+    EXPECT_EQ(none.code, 2);
+    EXPECT_NE(none.err.find("room.pbrt"), std::string::npos) << none.err;
+}
+
 TEST_F(View, is_needed_by_what_goes_with_it) {
     for (const char* flag : {"--view-open", "--view-stay"}) {
         const Ran ran = render({flag});

@@ -136,7 +136,7 @@ async function testEnds(browser) {
   await page.keyboard.press("Enter");
   assert.equal(await ended, 130);
   assert.ok(existsSync("live.exr"));
-  await page.waitForFunction(() => document.getElementById("stage-text").textContent.includes("has ended"));
+  await page.waitForFunction(() => document.getElementById("stage-text").textContent.includes("finished"));
   await waitForPicture(page);
   console.log("ok: live: stop and keep");
 }

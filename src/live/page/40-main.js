@@ -58,7 +58,7 @@ const STAGES = {
   reading: "reading the scene",
   learning: "learning where photons are needed",
   rendering: "rendering",
-  ended: "has ended: what it wrote is on the disk",
+  ended: "finished",
 };
 
 function tellStage() {
@@ -76,14 +76,15 @@ function tellTime() {
   const isOver = status.stage === "ended";
   const more = isOver || status.stage === "reading" ? 0 : (performance.now() - since) / 1000;
   const { seconds_left: left } = status;
-  byId("time").textContent = duration(status.seconds + more);
+  byId("time").textContent = isOver && status.passes === 0 ? "–" : duration(status.seconds + more);
   byId("left").textContent = isOver || left === null ? "–" : duration(Math.max(0, left - more));
 }
 
 function tellNumbers() {
   byId("scene").textContent = status.scene || "Sunfleck";
   tellTime();
-  byId("passes").textContent = status.passes_of ? `${status.passes} of ${status.passes_of}` : status.passes;
+  const isPicture = status.stage === "ended" && status.passes === 0; // and no render
+  byId("passes").textContent = isPicture ? "–" : status.passes_of ? `${status.passes} of ${status.passes_of}` : status.passes;
   const target = status.target_error === null ? "" : ` (ends at ${percent(status.target_error)})`;
   byId("error").textContent = percent(status.error) + target;
   byId("dark-error").textContent = percent(status.dark_error);
