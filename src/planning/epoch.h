@@ -8,13 +8,19 @@
 #include "photon/light_stratum.h"
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
 namespace sunfleck::engine {
 
+struct CameraTrial;
 class WorthRounds;
+
+/// Told of the first trial of an epoch: the seconds that camera paths and index of a whole pass
+/// would take, and what it has seen.
+using TrialTraced = std::function<void(double seconds, const CameraTrial& seen)>;
 
 /// 0 for passes 0 .. 15, 1 for 16 .. 127, 2 for 128 .. 1023, and so on by factors of eight.
 constexpr std::uint32_t epoch_of(std::uint32_t pass) {
@@ -38,6 +44,7 @@ struct Epoch {
     std::uint32_t paths = 0;                         // photon paths of a pass
     TransportSettings transport{};                   // with the way that brings indirect light
     Log2Samples log2_samples;                        // of a pass's camera paths
+    bool is_for_small_passes = false;                // its log2_samples are not chosen yet
     EdgePixels edges;                                // where discs are probed
     std::optional<DirectInMedia> direct_in_media{};  // as CameraPass has it
     std::vector<LightStratum> strata;                // at least one, unless the scene is dark

@@ -142,11 +142,20 @@ EdgePixels EpochLearner::edges() const {
     return edge_pixels(view_of(pass), pass_.window);
 }
 
-Epoch EpochLearner::measured() {
+Epoch EpochLearner::measured(bool for_small_passes) {
     if (trial_.cells > 1) epoch_.edges = edges();
     if (trial_.direct_in_media)
         epoch_.direct_in_media = learned_direct_in_media(trial_, *seen_, epoch_.strata, name_);
-    if (settings_.photon.adaptive_pixels) allocate_pixels();
+    epoch_.is_for_small_passes = settings_.photon.adaptive_pixels && for_small_passes;
+    if (settings_.photon.adaptive_pixels && !for_small_passes) allocate_pixels();
+    return std::move(epoch_);
+}
+
+Epoch EpochLearner::measured_for_all(Epoch epoch) {
+    epoch_ = std::move(epoch);
+    if (trial_.cells == 1) look({});
+    epoch_.is_for_small_passes = false;
+    allocate_pixels();
     return std::move(epoch_);
 }
 

@@ -30,9 +30,12 @@ public:
     /// Learns where photon paths start, after look(). @param start  of trials of worth: boxes() of
     /// the way `photons`, or Epoch::worth of the epoch before.
     void plan(WorthStart start = {});
-    /// Measures which pixels need more camera paths, after plan(). @return the epoch, which this no
-    /// longer has.
-    Epoch measured();
+    /// Measures which pixels need more camera paths, after plan(), but for small passes, which do
+    /// not ask. @return the epoch, which this no longer has.
+    Epoch measured(bool for_small_passes = false);
+    /// Returns an epoch of this number with what was not measured for small passes. Nothing else
+    /// need be called before.
+    Epoch measured_for_all(Epoch epoch);
     /// Returns where discs are probed.
     EdgePixels edges() const;
 

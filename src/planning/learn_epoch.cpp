@@ -35,8 +35,9 @@ bool camera_is_better(EpochLearner& photons, EpochLearner& sampled, Objective ob
 
 /// Returns the first epoch by the way `sampled`, or by the better one. In either case chains of the
 /// way `photons` explore the scene, and trials of worth start where they have been.
+/// @param for_small_passes  no other passes are to have it.
 Epoch first_epoch(const PassScene& scene, const RenderSettings& settings, IndirectLight way,
-                  const TrialTraced& trial_traced) {
+                  const TrialTraced& trial_traced, bool for_small_passes) {
     const bool is_sampled = way == IndirectLight::sampled;
     EpochLearner photons(scene, settings, IndirectLight::photons, 0);
     photons.look(is_sampled ? nullptr : trial_traced);
@@ -45,10 +46,10 @@ Epoch first_epoch(const PassScene& scene, const RenderSettings& settings, Indire
     photons.plan();
     if (is_sampled) {
         sampled.plan({{}, photons.boxes()});
-        return sampled.measured();
+        return sampled.measured(for_small_passes);
     }
-    return camera_is_better(photons, sampled, settings.objective) ? sampled.measured()
-                                                                  : photons.measured();
+    const bool by_camera = camera_is_better(photons, sampled, settings.objective);
+    return (by_camera ? sampled : photons).measured(for_small_passes);
 }
 
 /// Returns the way that the settings ask for.
@@ -57,14 +58,22 @@ IndirectLight way_of(const RenderSettings& settings) {
     return are_all ? IndirectLight::photons : settings.transport.indirect;
 }
 
-/// Learns an epoch. @param before  one before it, if any is known.
-Epoch learned_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t number,
+/// Returns whether a pass is small, as film/pass_weight.h has it.
+bool is_small(const Scene& scene, const RenderSettings& settings, std::uint32_t pass) {
+    return pass < small_passes(settings, window_of(scene.film()).pixels());
+}
+
+/// Learns the epoch of a pass. @param before  one before it, if any is known.
+Epoch learned_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
                     const Epoch* before, const TrialTraced& trial_traced) {
+    const std::uint32_t number = epoch_of(pass);
+    const bool small = is_small(scene, settings, pass);
     IndirectLight way = way_of(settings);
     std::optional<Epoch> first;
     const bool aims = way == IndirectLight::sampled && settings.photon.emission_guide;
     if (!before && (aims || way == IndirectLight::automatic)) {
-        first = first_epoch(PassScene(scene, {settings.seed, 0}), settings, way, trial_traced);
+        first = first_epoch(PassScene(scene, {settings.seed, 0}), settings, way, trial_traced,
+                            small || number > 0);
         if (number == 0) return *std::move(first);
         before = &*first;
     }
@@ -77,7 +86,7 @@ Epoch learned_epoch(const Scene& scene, const RenderSettings& settings, std::uin
         EpochLearner learner(at_wavelengths, settings, way, next);
         learner.look(is_last ? trial_traced : nullptr);
         learner.plan({std::move(worth), {}});
-        if (is_last) return learner.measured();
+        if (is_last) return learner.measured(small);
         worth = learner.worth();
     }
 }
@@ -120,8 +129,24 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
     Stopwatch watch;
     if (before && before->number >= number) before = nullptr;
     Epoch epoch = needs_learning(scene, settings)
-                      ? learned_epoch(scene, settings, number, before, trial_traced)
+                      ? learned_epoch(scene, settings, pass, before, trial_traced)
                       : usual_epoch(scene, settings, number);
+    epoch.seconds = watch.seconds();
+    return epoch;
+}
+
+bool serves(const Epoch& epoch, const Scene& scene, const RenderSettings& settings,
+            std::uint32_t pass) {
+    return epoch.number == epoch_of(pass) &&
+           (!epoch.is_for_small_passes || is_small(scene, settings, pass));
+}
+
+Epoch epoch_for_all(const Scene& scene, const RenderSettings& settings, Epoch epoch) {
+    Stopwatch watch;
+    const std::uint32_t number = epoch.number;
+    const PassScene at_wavelengths(scene, {settings.seed, first_pass_of(number)});
+    EpochLearner learner(at_wavelengths, settings, epoch.transport.indirect, number);
+    epoch = learner.measured_for_all(std::move(epoch));
     epoch.seconds = watch.seconds();
     return epoch;
 }

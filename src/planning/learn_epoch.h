@@ -8,7 +8,6 @@
 #pragma once
 
 #include "planning/epoch.h"
-#include "planning/photon_trials.h"
 #include "stages/settings.h"
 
 #include <functional>
@@ -19,11 +18,20 @@ namespace sunfleck::engine {
 /// numbers.
 bool needs_learning(const Scene& scene, const RenderSettings& settings);
 
-/// Returns the epoch of a pass.
+/// Returns the epoch of a pass. Small passes do not ask which pixels need more camera paths, and do
+/// not wait for the answer: their epoch serves() no others until it is one for all.
 /// @param trial_traced  called long before learning ends.
 /// @param before  an earlier epoch of the same render: saves what was learned for it, and changes
 ///                nothing.
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
                   const TrialTraced& trial_traced = {}, const Epoch* before = nullptr);
+
+/// Returns whether a pass can be rendered by this epoch.
+bool serves(const Epoch& epoch, const Scene& scene, const RenderSettings& settings,
+            std::uint32_t pass);
+
+/// Returns an epoch for small passes, as it is for all of its passes; its seconds are those of
+/// this.
+Epoch epoch_for_all(const Scene& scene, const RenderSettings& settings, Epoch epoch);
 
 }  // namespace sunfleck::engine

@@ -10,7 +10,6 @@
 #include "photon/light_stratum.h"
 #include "planning/trial_variance.h"
 
-#include <functional>
 #include <vector>
 
 namespace sunfleck::engine {
@@ -25,10 +24,6 @@ struct CameraTrial {
 };
 
 CameraTrial view_of(const CameraPass& pass);
-
-/// Told of the first trial of an epoch: the seconds that camera paths and index of a whole pass
-/// would take, and what it has seen.
-using TrialTraced = std::function<void(double seconds, const CameraTrial& seen)>;
 
 /// Returns the pixels that each path of a trial stands for. @param cells  of the trial.
 inline double pixels_of_a_path(int cells) {

@@ -18,14 +18,17 @@ PassMaker::PassMaker(const RenderJob& job, RenderState& state) : job_(job), stat
 
 /// @return false if it was cancelled.
 bool PassMaker::learn(std::uint32_t number, const PassHooks& hooks) {
-    if (epoch_ && epoch_->number == epoch_of(number)) return true;
+    const RenderSettings& settings = job_.settings;
+    if (epoch_ && serves(*epoch_, job_.scene, settings, number)) return true;
     // Others look for edges alone, as long as a pass takes, and are what is left if time is over.
-    const bool learns = needs_learning(job_.scene, job_.settings);
+    const bool learns = needs_learning(job_.scene, settings);
     const bool is_told = hooks.learning && learns;
     if (is_told) hooks.learning(true);
     const bool is_learned = run_unless(learns ? hooks.cuts_learning : nullptr, [&] {
-        epoch_ = learn_epoch(job_.scene, job_.settings, number, hooks.trial_traced,
-                             epoch_ ? &*epoch_ : nullptr);
+        const bool is_known = epoch_ && epoch_->number == epoch_of(number);
+        epoch_ = is_known ? epoch_for_all(job_.scene, settings, *epoch_)
+                          : learn_epoch(job_.scene, settings, number, hooks.trial_traced,
+                                        epoch_ ? &*epoch_ : nullptr);
     });
     if (is_told) hooks.learning(false);
     if (!is_learned) return false;

@@ -1,5 +1,6 @@
 // Epochs: which pass belongs to which, and how their photon paths are chosen.
 #include "planning/learn_epoch.h"
+#include "support/procedural.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
@@ -90,6 +91,26 @@ TEST(Epoch, goes_on_with_what_earlier_ones_have_learned) {
     EXPECT_NE(weights_of(first), weights_of(second));
     const Epoch third = learn_epoch(scene, settings, 128, {}, &second);
     EXPECT_EQ(weights_of(learn_epoch(scene, settings, 128, {}, &first)), weights_of(third));
+}
+
+/// Small passes do not wait for what they do not ask for; later ones get what they would have had.
+TEST(Epoch, of_small_passes_becomes_that_of_others) {
+    const Scene scene = procedural("iced-tea", 24);
+    RenderSettings settings;
+    settings.large_picture = 0;
+    settings.photon.paths_per_pass = 5000;
+    const Epoch others = learn_epoch(scene, settings, 4);
+    EXPECT_TRUE(serves(others, scene, settings, 0));
+    EXPECT_FALSE(others.log2_samples.empty()) << "nothing is measured";
+    const Epoch small = learn_epoch(scene, settings, 3);
+    EXPECT_TRUE(small.log2_samples.empty());
+    EXPECT_TRUE(serves(small, scene, settings, 3));
+    EXPECT_FALSE(serves(small, scene, settings, 4));
+    EXPECT_FALSE(serves(small, scene, settings, 16));
+    const Epoch grown = epoch_for_all(scene, settings, small);
+    EXPECT_TRUE(serves(grown, scene, settings, 4));
+    EXPECT_EQ(grown.log2_samples, others.log2_samples);
+    EXPECT_EQ(grown.paths, others.paths);
 }
 
 TEST(Epoch, leaves_indirect_light_to_photons_where_nothing_is_learned) {
