@@ -6,7 +6,9 @@
 #include <fmt/format.h>
 #include <httplib.h>
 
+#include <mutex>
 #include <utility>
+#include <vector>
 
 namespace sunfleck::engine {
 namespace {
@@ -72,6 +74,14 @@ void set_routes(httplib::Server& server, const std::shared_ptr<LiveSite>& site) 
     });
 }
 
+/// A peer that dawdles keeps its thread, and so the server that it belongs to.
+void keep_for_ever(std::unique_ptr<httplib::Server> server) {
+    static std::mutex mutex;
+    static auto& kept = *new std::vector<std::unique_ptr<httplib::Server>>;  // never destroyed
+    const std::lock_guard lock(mutex);
+    kept.push_back(std::move(server));
+}
+
 }  // namespace
 
 LiveServer::LiveServer(std::shared_ptr<LiveBoard> board, std::function<void()> stop)
@@ -96,9 +106,7 @@ LiveServer::~LiveServer() {
         std::this_thread::sleep_for(kTick);
     server_->stop();
     thread_.join();
-    // A peer that dawdles keeps its thread, and with it the server, for as long as the program
-    // runs.
-    if (!workers_.end(kFarewell)) static_cast<void>(server_.release());
+    if (!workers_.end(kFarewell)) keep_for_ever(std::move(server_));
 }
 
 std::string LiveServer::url() const {

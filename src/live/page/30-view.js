@@ -88,36 +88,12 @@ function readOut() {
   readout.textContent = text;
 }
 
-// Fingers and mouse: one moves, two zoom.
-const touching = new Map();
-stage.addEventListener("pointerdown", (event) => {
-  stage.setPointerCapture(event.pointerId);
-  stage.classList.add("dragging");
-  touching.set(event.pointerId, [event.clientX, event.clientY]);
+onGestures(stage, {
+  pan: panBy,
+  zoom: (factor, x, y) => zoomTo(zoomNow() * factor, x, y),
+  hover(place) {
+    view.pointer = place;
+    readOut();
+  },
 });
-stage.addEventListener("pointermove", (event) => {
-  view.pointer = [event.clientX, event.clientY];
-  const before = touching.get(event.pointerId);
-  if (!before) return readOut();
-  const others = [...touching].filter(([id]) => id !== event.pointerId).map(([, at]) => at);
-  touching.set(event.pointerId, view.pointer);
-  if (others.length === 0) return panBy(event.clientX - before[0], event.clientY - before[1]);
-  const [x, y] = others[0];
-  const distance = (at) => Math.max(1, Math.hypot(at[0] - x, at[1] - y));
-  const factor = distance(view.pointer) / distance(before);
-  zoomTo(zoomNow() * factor, (event.clientX + x) / 2, (event.clientY + y) / 2);
-});
-for (const name of ["pointerup", "pointercancel"])
-  stage.addEventListener(name, (event) => {
-    touching.delete(event.pointerId);
-    if (touching.size === 0) stage.classList.remove("dragging");
-  });
-stage.addEventListener("pointerleave", () => {
-  view.pointer = null;
-  readOut();
-});
-stage.addEventListener("wheel", (event) => {
-  event.preventDefault();
-  zoomTo(zoomNow() * 2 ** (-event.deltaY / 300), event.clientX, event.clientY);
-}, { passive: false });
 new ResizeObserver(place).observe(stage);
