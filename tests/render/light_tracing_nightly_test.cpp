@@ -21,6 +21,14 @@ TEST(LightTracingNightly, of_all_directions) {
     expect_equal(scene_of(camera + room_with_metal() + kLamp), Integrator::path, {40});
 }
 
+TEST(LightTracingNightly, in_parallel) {
+    const std::string camera =
+        "LookAt 0 -3 1  0 0 1  0 0 1\nCamera \"orthographic\" \"float screenwindow\" "
+        "[-.9 .9 -.9 .9]\n" +
+        film(32) + "WorldBegin\n";
+    expect_equal(scene_of(camera + room_with_metal() + kLamp), Integrator::path, {24});
+}
+
 /// A caustic of the sun: no path from the camera can find it.
 TEST(LightTracingNightly, of_a_caustic) {
     const Scene scene =

@@ -14,14 +14,6 @@ TEST(LightTracing, through_a_lens) {
     expect_equal(scene_of(camera + room_with_metal() + kLamp), Integrator::path, {24});
 }
 
-TEST(LightTracing, in_parallel) {
-    const std::string camera =
-        "LookAt 0 -3 1  0 0 1  0 0 1\nCamera \"orthographic\" \"float screenwindow\" "
-        "[-.9 .9 -.9 .9]\n" +
-        film(32) + "WorldBegin\n";
-    expect_equal(scene_of(camera + room_with_metal() + kLamp), Integrator::path, {24});
-}
-
 /// Vertex normals that lean: the adjoint of what the path tracer does with them.
 TEST(LightTracing, of_bent_normals) {
     const std::string bent =

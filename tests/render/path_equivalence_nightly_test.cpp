@@ -27,6 +27,11 @@ TEST(PathEquivalence, varnish_on_a_diffuse_wall) {
     }
 }
 
+TEST(PathEquivalence, rough_metal) {
+    expect_equivalent(rough_objects("-.85 -1.5 1  -.85 .8 .85  0 0 1", 20),
+                      {120, 10, 24, 0.005, 0.01});
+}
+
 /// A lamp behind smooth glass over rough metal: photons bring its light, the camera path must not.
 TEST(PathEquivalence, rough_metal_lit_through_smooth_glass) {
     const Scene scene =

@@ -15,10 +15,5 @@ TEST(PathEquivalence, floor_and_half_shadow_of_the_block) {
     expect_equivalent(diffuse_room("-.3 -.2 1.4  -.3 -.2 0  0 1 0", 35), {40, 8, 9});
 }
 
-TEST(PathEquivalence, rough_metal) {
-    expect_equivalent(rough_objects("-.85 -1.5 1  -.85 .8 .85  0 0 1", 20),
-                      {120, 10, 24, 0.005, 0.01});
-}
-
 }  // namespace
 }  // namespace sunfleck::engine
