@@ -29,7 +29,7 @@ protected:
     /// The address that a render under way has said, on a line of its own.
     Address address() const {
         using namespace std::chrono_literals;
-        for (int i = 0; i < 1000; ++i, std::this_thread::sleep_for(10ms)) {
+        for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(10ms)) {
             std::istringstream lines(read_text(path("stderr~")));
             for (std::string line; std::getline(lines, line);)
                 if (line.starts_with("http://") && !lines.eof()) return Address(line);
