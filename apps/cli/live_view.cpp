@@ -4,7 +4,6 @@
 #include "apps/cli/interrupt.h"
 #include "apps/cli/messages.h"
 #include "film/film_picture.h"
-#include "import/load.h"
 #include "live/layers.h"
 
 #include <fcntl.h>
@@ -13,7 +12,6 @@
 
 #include <array>
 #include <csignal>
-#include <filesystem>
 #include <thread>
 #include <utility>
 
@@ -51,15 +49,6 @@ void open_in_browser(const std::string& url, LogLevel log) {
 
 }  // namespace
 
-LiveViewing viewing_of(const RenderOptions& options) {
-    return {.name = std::filesystem::path(options.scene).filename().string(),
-            .exposure = options.request.exposure.value_or(usual_exposure(options.scene)),
-            .extrapolates = options.request.stop.error_terms.extrapolated,
-            .opens = options.view_open,
-            .stays = options.view_stay,
-            .log = options.log};
-}
-
 LiveView::LiveView(LiveViewing viewing)
     : viewing_(std::move(viewing)),
       board_(std::make_shared<LiveBoard>()),
@@ -88,8 +77,8 @@ void LiveView::report(const Progress& progress) {
     tell();
 }
 
-void LiveView::preview(const Picture& picture) {
-    put_up(picture, true);
+void LiveView::preview(Picture picture) {
+    put_up(std::move(picture), true);
     tell();
 }
 
@@ -100,7 +89,8 @@ void LiveView::show(const Film& film) {
 }
 
 void LiveView::show_last(const RenderState& result) {
-    if (result.film.pass_count() > 0) show_now(result.film);
+    if (result.film.pass_count() == shown_passes_) return;
+    show_now(result.film);
     tell();
 }
 
@@ -113,6 +103,7 @@ void LiveView::show_finished(Picture picture) {
 void LiveView::show_now(const Film& film) {
     const Clock::time_point begin = Clock::now();
     put_up(film_picture(film, {viewing_.extrapolates}), false);
+    shown_passes_ = film.pass_count();
     const Clock::time_point end = Clock::now();
     next_ = end + std::max<Clock::duration>(kLeastPause, kOftenOverCost * (end - begin));
 }
@@ -122,8 +113,7 @@ void LiveView::put_up(Picture picture, bool is_preview) {
     status_.is_preview = is_preview;
     status_.layers.clear();
     for (const LiveLayer& layer : layers_of(picture)) status_.layers.push_back(layer.name);
-    board_->show(std::move(picture));
-    ++status_.picture;
+    status_.picture = board_->show(std::move(picture));
 }
 
 void LiveView::end(const std::vector<std::string>& warnings) {

@@ -24,9 +24,6 @@ struct LiveViewing {
     LogLevel log = LogLevel::info;
 };
 
-/// Returns what the flags of a render ask for.
-LiveViewing viewing_of(const RenderOptions& options);
-
 class LiveView {
 public:
     /// Serves the page, and says its address unless the log is quiet.
@@ -37,10 +34,10 @@ public:
     void begin(const RenderSetup& setup, const std::vector<std::string>& warnings,
                const Film* earlier);
     void report(const Progress& progress);
-    void preview(const Picture& picture);
+    void preview(Picture picture);
     /// Shows the picture so far, if it is time for one.
     void show(const Film& film);
-    /// Shows the picture of a render that has ended.
+    /// Shows the picture of a render that has ended, unless it stands there.
     void show_last(const RenderState& result);
     /// Shows a picture that is finished.
     void show_finished(Picture picture);
@@ -56,7 +53,8 @@ private:
 
     LiveViewing viewing_;
     LiveStatus status_;
-    Clock::time_point next_;  // picture at the earliest
+    Clock::time_point next_;          // picture at the earliest
+    std::uint64_t shown_passes_ = 0;  // in the picture
     std::shared_ptr<LiveBoard> board_;
     LiveServer server_;
 };

@@ -22,11 +22,26 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
 #include <optional>
 #include <utility>
 
 namespace sunfleck::engine {
 namespace {
+
+Exposure exposure_of(const RenderOptions& options) {
+    return options.request.exposure.value_or(usual_exposure(options.scene));
+}
+
+/// Returns what the flags ask of the page.
+LiveViewing viewing_of(const RenderOptions& options) {
+    return {.name = std::filesystem::path(options.scene).filename().string(),
+            .exposure = exposure_of(options),
+            .extrapolates = options.request.stop.error_terms.extrapolated,
+            .opens = options.view_open,
+            .stays = options.view_stay,
+            .log = options.log};
+}
 
 void print_lines(const std::vector<std::string>& lines, LogLevel log) {
     if (log == LogLevel::quiet) return;
@@ -76,7 +91,7 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, LiveView* vie
     };
     if (view != nullptr) {
         hooks.watch = [view](const Film& film) { view->show(film); };
-        hooks.preview = [view](const Picture& picture) { view->preview(picture); };
+        hooks.preview = [view](Picture picture) { view->preview(std::move(picture)); };
     }
     hooks.interrupted = &InterruptGuard::interrupted();
     if (!options.snapshots.empty())
@@ -87,10 +102,6 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, LiveView* vie
         hooks.save = [&](const RenderState& state) { kept.checkpoints.save(setup.origin, state); };
     hooks.save_every = options.checkpoint_seconds;
     return hooks;
-}
-
-Exposure exposure_of(const RenderOptions& options) {
-    return options.request.exposure.value_or(usual_exposure(options.scene));
 }
 
 /// Pictures, remarks, statistics, and what each picture is.

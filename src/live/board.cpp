@@ -5,11 +5,11 @@
 
 namespace sunfleck::engine {
 
-void LiveBoard::show(Picture picture) {
+std::uint64_t LiveBoard::show(Picture picture) {
     auto shared = std::make_shared<const Picture>(std::move(picture));
     const std::lock_guard lock(mutex_);
     std::swap(shown_.picture, shared);  // the last one goes after the lock, if nobody reads it
-    ++shown_.number;
+    return ++shown_.number;
 }
 
 void LiveBoard::tell(std::string text) {

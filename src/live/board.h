@@ -29,8 +29,8 @@ public:
         std::uint64_t number = 0;                // of the picture; zero before the first
     };
 
-    /// Replaces the picture, which takes the next number.
-    void show(Picture picture);
+    /// Replaces the picture. @return its number, the next one.
+    std::uint64_t show(Picture picture);
     /// Replaces the text.
     void tell(std::string text);
     /// Ends all waiting, now and later.

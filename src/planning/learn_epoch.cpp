@@ -58,9 +58,8 @@ IndirectLight way_of(const RenderSettings& settings) {
     return are_all ? IndirectLight::photons : settings.transport.indirect;
 }
 
-/// Returns whether a pass is small, as film/pass_weight.h has it.
 bool is_small(const Scene& scene, const RenderSettings& settings, std::uint32_t pass) {
-    return pass < small_passes(settings, window_of(scene.film()).pixels());
+    return is_small_pass(settings, window_of(scene.film()).pixels(), pass);
 }
 
 /// Learns the epoch of a pass. @param before  one before it, if any is known.
@@ -89,6 +88,13 @@ Epoch learned_epoch(const Scene& scene, const RenderSettings& settings, std::uin
         if (is_last) return learner.measured(small);
         worth = learner.worth();
     }
+}
+
+/// Returns an epoch for small passes, as it is for all of its passes.
+Epoch epoch_for_all(const Scene& scene, const RenderSettings& settings, Epoch epoch) {
+    const PassScene at_wavelengths(scene, {settings.seed, first_pass_of(epoch.number)});
+    return EpochLearner(at_wavelengths, settings, epoch.transport.indirect, epoch.number)
+        .measured_for_all(std::move(epoch));
 }
 
 /// Returns the epoch that needs no pilots, and no trials but one for edges.
@@ -127,10 +133,16 @@ Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint3
                   const TrialTraced& trial_traced, const Epoch* before) {
     const std::uint32_t number = epoch_of(pass);
     Stopwatch watch;
-    if (before && before->number >= number) before = nullptr;
-    Epoch epoch = needs_learning(scene, settings)
-                      ? learned_epoch(scene, settings, pass, before, trial_traced)
-                      : usual_epoch(scene, settings, number);
+    const bool is_begun =
+        before && before->number == number && !serves(*before, scene, settings, pass);
+    if (before && before->number >= number && !is_begun) before = nullptr;
+    Epoch epoch;
+    if (is_begun)
+        epoch = epoch_for_all(scene, settings, *before);
+    else if (needs_learning(scene, settings))
+        epoch = learned_epoch(scene, settings, pass, before, trial_traced);
+    else
+        epoch = usual_epoch(scene, settings, number);
     epoch.seconds = watch.seconds();
     return epoch;
 }
@@ -139,16 +151,6 @@ bool serves(const Epoch& epoch, const Scene& scene, const RenderSettings& settin
             std::uint32_t pass) {
     return epoch.number == epoch_of(pass) &&
            (!epoch.is_for_small_passes || is_small(scene, settings, pass));
-}
-
-Epoch epoch_for_all(const Scene& scene, const RenderSettings& settings, Epoch epoch) {
-    Stopwatch watch;
-    const std::uint32_t number = epoch.number;
-    const PassScene at_wavelengths(scene, {settings.seed, first_pass_of(number)});
-    EpochLearner learner(at_wavelengths, settings, epoch.transport.indirect, number);
-    epoch = learner.measured_for_all(std::move(epoch));
-    epoch.seconds = watch.seconds();
-    return epoch;
 }
 
 }  // namespace sunfleck::engine

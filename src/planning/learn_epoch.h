@@ -19,19 +19,15 @@ namespace sunfleck::engine {
 bool needs_learning(const Scene& scene, const RenderSettings& settings);
 
 /// Returns the epoch of a pass. Small passes do not ask which pixels need more camera paths, and do
-/// not wait for the answer: their epoch serves() no others until it is one for all.
+/// not wait for the answer: their epoch serves() no others, and is what theirs is made of.
 /// @param trial_traced  called long before learning ends.
-/// @param before  an earlier epoch of the same render: saves what was learned for it, and changes
-///                nothing.
+/// @param before  an earlier epoch of the same render, or that of small passes: saves what was
+///                learned for it, and changes nothing.
 Epoch learn_epoch(const Scene& scene, const RenderSettings& settings, std::uint32_t pass,
                   const TrialTraced& trial_traced = {}, const Epoch* before = nullptr);
 
 /// Returns whether a pass can be rendered by this epoch.
 bool serves(const Epoch& epoch, const Scene& scene, const RenderSettings& settings,
             std::uint32_t pass);
-
-/// Returns an epoch for small passes, as it is for all of its passes; its seconds are those of
-/// this.
-Epoch epoch_for_all(const Scene& scene, const RenderSettings& settings, Epoch epoch);
 
 }  // namespace sunfleck::engine

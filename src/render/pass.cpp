@@ -74,7 +74,7 @@ PassResult render_pass(const Scene& scene, const RenderSettings& settings, std::
     const ReferencePass reference{at_wavelengths, settings.transport, window, id};
     switch (settings.integrator) {
         case Integrator::sppm:
-            render_sppm(settings, camera, epoch, number < small_passes(settings, window.pixels()),
+            render_sppm(settings, camera, epoch, is_small_pass(settings, window.pixels(), number),
                         state, result);
             break;
         case Integrator::path:

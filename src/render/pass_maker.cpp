@@ -25,10 +25,8 @@ bool PassMaker::learn(std::uint32_t number, const PassHooks& hooks) {
     const bool is_told = hooks.learning && learns;
     if (is_told) hooks.learning(true);
     const bool is_learned = run_unless(learns ? hooks.cuts_learning : nullptr, [&] {
-        const bool is_known = epoch_ && epoch_->number == epoch_of(number);
-        epoch_ = is_known ? epoch_for_all(job_.scene, settings, *epoch_)
-                          : learn_epoch(job_.scene, settings, number, hooks.trial_traced,
-                                        epoch_ ? &*epoch_ : nullptr);
+        epoch_ = learn_epoch(job_.scene, settings, number, hooks.trial_traced,
+                             epoch_ ? &*epoch_ : nullptr);
     });
     if (is_told) hooks.learning(false);
     if (!is_learned) return false;

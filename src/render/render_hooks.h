@@ -47,7 +47,7 @@ struct RenderHooks {
     std::function<void(const Film&)> watch;
     /// Called while the first pass is planned, with a picture of fewer pixels: what light camera
     /// paths alone have found. Not where nothing is learned, nor by several ranks.
-    std::function<void(const Picture&)> preview;
+    std::function<void(Picture)> preview;
     /// Tested after each pass, and during the learning of later epochs.
     const std::atomic<bool>* interrupted = nullptr;
     /// Tested continuously: learning and the current pass are cancelled and left out. Passes of a

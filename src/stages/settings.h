@@ -58,6 +58,10 @@ void use_paper_mode(RenderSettings& settings);
 /// Returns the number of small passes of a picture (film/pass_weight.h).
 std::uint64_t small_passes(const RenderSettings& settings, std::size_t pixels);
 
+inline bool is_small_pass(const RenderSettings& settings, std::size_t pixels, std::uint64_t pass) {
+    return pass < small_passes(settings, pixels);
+}
+
 /// Returns whether each pass depends on those before it.
 bool is_sequential(const RenderSettings& settings);
 

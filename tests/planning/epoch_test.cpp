@@ -107,7 +107,7 @@ TEST(Epoch, of_small_passes_becomes_that_of_others) {
     EXPECT_TRUE(serves(small, scene, settings, 3));
     EXPECT_FALSE(serves(small, scene, settings, 4));
     EXPECT_FALSE(serves(small, scene, settings, 16));
-    const Epoch grown = epoch_for_all(scene, settings, small);
+    const Epoch grown = learn_epoch(scene, settings, 4, {}, &small);
     EXPECT_TRUE(serves(grown, scene, settings, 4));
     EXPECT_EQ(grown.log2_samples, others.log2_samples);
     EXPECT_EQ(grown.paths, others.paths);

@@ -2,7 +2,6 @@
 "use strict";
 
 const canvas = byId("canvas");
-const DECADES = [-3, 1]; // of luminance in false colour, at exposure 0
 const LARGEST_ERROR = 0.5; // relative, at exposure 0
 
 /** The screen's byte of light, by the upper half of its bits: exact, and no power a pixel. */
@@ -32,9 +31,8 @@ const MAPPED = {
   luminance: {
     name: "luminance",
     map: VIRIDIS,
-    place: (i, exposure) =>
-      (Math.log10(Math.max(lightAt(i), 1e-30)) + exposure * Math.log10(2) - DECADES[0]) / (DECADES[1] - DECADES[0]),
-    ends: (exposure) => DECADES.map((d) => shortNumber(10 ** d / 2 ** exposure)),
+    place: (i, exposure) => placeOfLuminance(lightAt(i), exposure),
+    ends: endsOfLuminance,
   },
   error: {
     name: "standard error over luminance",
@@ -62,16 +60,5 @@ function paint(show, exposure) {
   if (mapped) paintMapped(mapped, exposure, image.data);
   else paintLight(exposure, image.data);
   context.putImageData(image, 0, 0);
-  paintLegend(mapped, exposure);
-}
-
-function paintLegend(mapped, exposure) {
-  byId("legend").hidden = !mapped;
-  if (!mapped) return;
-  [byId("legend-low").textContent, byId("legend-high").textContent] = mapped.ends(exposure);
-  byId("legend-name").textContent = mapped.name;
-  const context = byId("legend-bar").getContext("2d");
-  const image = context.createImageData(256, 1);
-  for (let i = 0; i < 256; ++i) image.data.set([...mapped.map.slice(3 * i, 3 * i + 3), 255], 4 * i);
-  context.putImageData(image, 0, 0);
+  showLegend(mapped, mapped?.ends(exposure));
 }

@@ -38,3 +38,22 @@ function mapOf(hexes) {
   }
   return table;
 }
+
+// Luminance in false colour: the decades that the map spans at exposure 0.
+const DECADES = [-3, 1];
+const placeOfLuminance = (luminance, exposure) =>
+  (Math.log10(Math.max(luminance, 1e-30)) + exposure * Math.log10(2) - DECADES[0]) / (DECADES[1] - DECADES[0]);
+const endsOfLuminance = (exposure) => DECADES.map((d) => shortNumber(10 ** d / 2 ** exposure));
+
+/** Shows what the colours of a map mean, or nothing. @param ends  texts of both. */
+function showLegend(mapped, ends) {
+  byId("legend").hidden = !mapped;
+  if (!mapped) return;
+  const { name, map } = mapped;
+  [byId("legend-low").textContent, byId("legend-high").textContent] = ends;
+  byId("legend-name").textContent = name;
+  const context = byId("legend-bar").getContext("2d");
+  const image = context.createImageData(256, 1);
+  for (let i = 0; i < 256; ++i) image.data.set([map[3 * i], map[3 * i + 1], map[3 * i + 2], 255], 4 * i);
+  context.putImageData(image, 0, 0);
+}

@@ -2,16 +2,14 @@
 "use strict";
 
 const EPSILON = 0.01; // of the relative errors, as in the table
-const DECADES = [-3, 1]; // of luminance, at exposure 0
 
 /** What each way of showing needs: the colours, and where in [0,1] a pixel lies in them. */
 const SHOWS = {
   luminance: {
     name: "luminance",
     map: VIRIDIS,
-    place: (p, r, exposure) =>
-      (Math.log10(Math.max(p, 1e-30)) + exposure * Math.log10(2) - DECADES[0]) / (DECADES[1] - DECADES[0]),
-    range: (exposure) => DECADES.map((d) => shortNumber(10 ** d / 2 ** exposure)),
+    place: (p, r, exposure) => placeOfLuminance(p, exposure),
+    range: endsOfLuminance,
   },
   relative: {
     name: "relative error of luminance",
@@ -96,13 +94,6 @@ function paint(picture, show, exposure) {
 }
 
 function paintLegend(show, exposure) {
-  byId("legend").hidden = show === "picture";
-  if (show === "picture") return;
-  const { name, map, range } = SHOWS[show];
-  [byId("legend-low").textContent, byId("legend-high").textContent] = range(exposure);
-  byId("legend-name").textContent = name;
-  const context = byId("legend-bar").getContext("2d");
-  const image = context.createImageData(256, 1);
-  for (let i = 0; i < 256; ++i) image.data.set([map[3 * i], map[3 * i + 1], map[3 * i + 2], 255], 4 * i);
-  context.putImageData(image, 0, 0);
+  const mapped = SHOWS[show]; // none of the picture as it is
+  showLegend(mapped, mapped?.range(exposure));
 }
