@@ -104,7 +104,7 @@ void add_picture(py::module_& module) {
                 unlocked([&] { self.save(path, exposure); });
             },
             py::arg("path"), py::arg("exposure") = py::none(),
-            "Writes .exr, or .png with an exposure in stops.");
+            "Writes .exr, or .png or .jpg with an exposure in stops.");
 }
 
 void add_settings(py::module_& module) {

@@ -2,6 +2,7 @@
 #include "apps/cli/command_flags.h"
 
 #include "apps/cli/flag_rows.h"
+#include "apps/cli/picture_flags.h"
 #include "core/named_rows.h"
 #include "experiment/figure.h"
 #include "procedural/scenes.h"
@@ -55,9 +56,9 @@ std::string read_pbrt_name(const std::string& text, const std::string& flag) {
 
 void add_merge_flags(CLI::App& app, MergeOptions& o, RenderFlags& flags) {
     app.add_option("FILES", o.inputs, ".film files")->required()->type_name("FILE");
-    add_outputs(app, o.outputs, ".exr, .png, .film");
-    for (const char* name : {"--exposure", "--extrapolate"})
-        add_flag(app, render_flag(name), flags);
+    add_outputs(app, o.outputs, ".exr, .png, .jpg, .film");
+    add_flag(app, render_flag("--extrapolate"), flags);
+    add_picture_flags(app, flags);
     app.add_option("--stats", o.stats, "Write statistics as JSON")->type_name("FILE");
 }
 
@@ -71,14 +72,19 @@ void add_relight_flags(CLI::App& app, RelightOptions& o, RenderFlags& flags) {
                 .help = "Factor of a light group: NAME=0.5, or per channel: NAME=1,0.8,0.6"},
                o.factors, read_factor)
         ->required();
-    add_outputs(app, o.outputs, ".exr, .png");
-    add_flag(app, render_flag("--exposure"), flags);
+    add_outputs(app, o.outputs, ".exr, .png, .jpg");
+    add_picture_flags(app, flags);
 }
 
 void add_view_flags(CLI::App& app, ViewOptions& o, RenderFlags& flags) {
     app.add_option("PICTURE", o.picture, "EXR picture")->required()->type_name("FILE");
     app.add_flag("--open", o.opens, "Also open its address in the browser");
-    add_flag(app, render_flag("--exposure"), flags);
+    app.add_option("--against", o.against, "An EXR picture to compare with, by a wipe")
+        ->type_name("FILE");
+    app.add_option("--host", o.host,
+                   "Serve the page at this address, or 0.0.0.0, not to this machine alone")
+        ->type_name("ADDRESS");
+    add_page_flags(app, flags);
 }
 
 void add_compare_flags(CLI::App& app, CompareOptions& o) {

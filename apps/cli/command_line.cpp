@@ -3,6 +3,7 @@
 
 #include "apps/cli/command_flags.h"
 #include "apps/cli/manual.h"
+#include "apps/cli/picture_flags.h"
 #include "apps/cli/render_options.h"
 #include "apps/cli/wrapped_help.h"
 #include "flags/renamed_flags.h"
@@ -79,14 +80,21 @@ public:
             options.convert = convert_;
         } else if (merge_app_->parsed()) {
             const RenderRequest request = flags_.finish();
+            check_picture_flags(*merge_app_, merge_.outputs);
             merge_.exposure = request.exposure.value_or(Exposure());
+            merge_.files = request.files;
             merge_.extrapolate = request.stop.error_terms.extrapolated;
             options.merge = merge_;
         } else if (relight_app_->parsed()) {
-            relight_.exposure = flags_.finish().exposure.value_or(Exposure());
+            const RenderRequest request = flags_.finish();
+            check_picture_flags(*relight_app_, relight_.outputs);
+            relight_.exposure = request.exposure.value_or(Exposure());
+            relight_.files = request.files;
             options.relight = relight_;
         } else if (view_app_->parsed()) {
-            view_.exposure = flags_.finish().exposure;
+            const RenderRequest request = flags_.finish();
+            view_.exposure = request.exposure.value_or(Exposure());
+            view_.transform = request.files.transform;
             options.view = view_;
         } else if (experiment_app_->parsed()) {
             check_experiment(*experiment_app_);

@@ -3,15 +3,21 @@
 
 #include "apps/cli/interrupt.h"
 #include "apps/cli/messages.h"
+#include "camera/camera_move.h"
 #include "film/film_picture.h"
+#include "film/relight.h"
+#include "image/exr.h"
 #include "live/layers.h"
+#include "math/white_balance.h"
 
 #include <fcntl.h>
 #include <spawn.h>
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <csignal>
+#include <filesystem>
 #include <thread>
 #include <utility>
 
@@ -19,9 +25,6 @@ extern char** environ;  // NOLINT(readability-redundant-declaration): not every 
 
 namespace sunfleck::engine {
 namespace {
-
-constexpr int kOftenOverCost = 50;  // a picture is made once in as many times of what it took
-constexpr std::chrono::milliseconds kLeastPause(200);
 
 /// Ends the render as Ctrl+C does, once: a second signal would lose it.
 std::function<void()> stop_once() {
@@ -52,22 +55,37 @@ void open_in_browser(const std::string& url, LogLevel log) {
 LiveView::LiveView(LiveViewing viewing)
     : viewing_(std::move(viewing)),
       board_(std::make_shared<LiveBoard>()),
-      server_(board_, stop_once()) {
+      wishes_(std::make_shared<LiveWishes>()),
+      server_(board_, wishes_, viewing_.host, stop_once()) {
     status_.scene = viewing_.name;
+    status_.tone = viewing_.transform.tone;
+    if (viewing_.transform.white_balance)
+        status_.balance = white_balance(*viewing_.transform.white_balance);
+    if (!viewing_.earlier.empty()) {
+        status_.earlier = std::filesystem::path(viewing_.earlier).filename().string();
+        status_.earlier_picture = put_up(read_exr(viewing_.earlier), LivePlace::earlier, false);
+    }
     tell();
     const std::string url = server_.url();
     if (viewing_.log != LogLevel::quiet) say(url);
+    if (!viewing_.host.empty() && viewing_.log != LogLevel::quiet)
+        say("warning: what is served at " + viewing_.host +
+            " is not encrypted: whoever reads the network can look at the render and end it");
     if (viewing_.opens) open_in_browser(url, viewing_.log);
 }
 
 void LiveView::begin(const RenderSetup& setup, const std::vector<std::string>& warnings,
                      const Film* earlier) {
+    constexpr double kNits = 683;  // cd/m^2 of a radiance of 1
     const FilmKey key = key_of(setup.job);
     status_.width = key.width;
     status_.height = key.height;
+    status_.nits = kNits / static_cast<double>(setup.scene.film().imaging_ratio);
+    status_.has_lens = has_lens(setup.scene.camera());
+    status_.ends = {setup.job.stop.target_error, setup.job.stop.seconds};
     status_.warnings = warnings;
     status_.stage = LiveStage::rendering;
-    if (earlier != nullptr) show_now(*earlier);
+    if (earlier != nullptr) show(*earlier);
     tell();
 }
 
@@ -78,45 +96,44 @@ void LiveView::report(const Progress& progress) {
 }
 
 void LiveView::preview(Picture picture) {
-    put_up(std::move(picture), true);
+    status_.picture = put_up(std::move(picture), LivePlace::render, true);
     tell();
 }
 
 void LiveView::show(const Film& film) {
-    if (!status_.is_preview && Clock::now() < next_) return;
-    show_now(film);
+    if (status_.picture.number > 0 && !status_.picture.is_preview && !pacing_.is_due()) return;
+    pacing_.run([&] { status_.picture = picture_of(film, LivePlace::render); });
+    shown_passes_ = film.pass_count();
     tell();
 }
 
 void LiveView::show_last(const RenderState& result) {
     if (result.film.pass_count() == shown_passes_) return;
-    show_now(result.film);
+    status_.picture = picture_of(result.film, LivePlace::render);
+    shown_passes_ = result.film.pass_count();
     tell();
 }
 
 void LiveView::show_finished(Picture picture) {
     status_.width = picture.width;
     status_.height = picture.height;
-    put_up(std::move(picture), false);
+    status_.picture = put_up(std::move(picture), LivePlace::render, false);
 }
 
-void LiveView::show_now(const Film& film) {
-    const Clock::time_point begin = Clock::now();
-    put_up(film_picture(film, {viewing_.extrapolates}), false);
-    shown_passes_ = film.pass_count();
-    const Clock::time_point end = Clock::now();
-    next_ = end + std::max<Clock::duration>(kLeastPause, kOftenOverCost * (end - begin));
+LivePicture LiveView::picture_of(const Film& film, LivePlace place) {
+    return put_up(film_picture(film, {viewing_.extrapolates}), place, false);
 }
 
-void LiveView::put_up(Picture picture, bool is_preview) {
-    status_.exposure = stops_of(viewing_.exposure, picture);
-    status_.is_preview = is_preview;
-    status_.layers.clear();
-    for (const LiveLayer& layer : layers_of(picture)) status_.layers.push_back(layer.name);
-    status_.picture = board_->show(std::move(picture));
+LivePicture LiveView::put_up(Picture picture, LivePlace place, bool is_preview) {
+    if (place == LivePlace::render) status_.exposure = stops_of(viewing_.exposure, picture);
+    LivePicture shown{.groups = light_groups_of(picture), .is_preview = is_preview};
+    for (const LiveLayer& layer : layers_of(picture)) shown.layers.push_back(layer.name);
+    shown.number = board_->show(std::move(picture), place);
+    return shown;
 }
 
-void LiveView::end(const std::vector<std::string>& warnings) {
+void LiveView::end(const std::vector<std::string>& warnings,
+                   const std::function<void()>& meanwhile) {
     status_.warnings = warnings;
     status_.stage = LiveStage::ended;
     tell();
@@ -124,7 +141,66 @@ void LiveView::end(const std::vector<std::string>& warnings) {
     static constexpr InterruptAnswer kNothingIsLost{};
     InterruptGuard::set_answer(kNothingIsLost);
     constexpr std::chrono::milliseconds kTick(50);
-    while (!InterruptGuard::interrupted()) std::this_thread::sleep_for(kTick);
+    while (!InterruptGuard::interrupted()) {
+        if (wishes_->wants_change())
+            meanwhile();
+        else
+            std::this_thread::sleep_for(kTick);
+    }
+}
+
+void LiveView::accept_wishes() {
+    wishes_->accept();
+    status_.can_be_steered = true;
+    tell();
+}
+
+void LiveView::set_paused(bool is_paused) {
+    if (status_.is_paused == is_paused) return;
+    status_.is_paused = is_paused;
+    tell();
+}
+
+void LiveView::set_ends(const LiveEnds& ends) {
+    status_.ends = ends;
+    tell();
+}
+
+void LiveView::begin_look(const LiveLook& look) {
+    // What was seen of the region stays until there is more to see.
+    const bool is_same = status_.look && status_.look->region == look.region;
+    const LivePicture before = is_same ? status_.look->picture : LivePicture();
+    status_.look = look;
+    status_.look->picture = before;
+    look_pacing_ = {};
+    tell();
+}
+
+void LiveView::report_look(const Progress& progress) {
+    status_.look->progress = progress;
+    tell();
+}
+
+void LiveView::sketch_look(Picture picture) {
+    status_.look->picture = put_up(std::move(picture), LivePlace::look, true);
+    tell();
+}
+
+void LiveView::show_look(const Film& film) {
+    if (!look_pacing_.is_due()) return;
+    look_pacing_.run([&] { status_.look->picture = picture_of(film, LivePlace::look); });
+    tell();
+}
+
+void LiveView::fail_look(const std::string& fault) {
+    status_.look->fault = fault;
+    tell();
+}
+
+void LiveView::end_look() {
+    status_.look.reset();
+    board_->clear(LivePlace::look);
+    tell();
 }
 
 }  // namespace sunfleck::engine

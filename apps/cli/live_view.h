@@ -4,11 +4,13 @@
 // whether anybody looks or not.
 #pragma once
 
+#include "apps/cli/pacing.h"
 #include "apps/cli/render_setup.h"
 #include "live/server.h"
 #include "live/status.h"
 
-#include <chrono>
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -18,16 +20,19 @@ namespace sunfleck::engine {
 struct LiveViewing {
     std::string name;  // of what is shown
     Exposure exposure;
-    bool extrapolates = false;  // the bias away
-    bool opens = false;         // in a browser
-    bool stays = false;         // until a signal
+    OutputTransform transform{};  // its tone and white balance
+    std::string earlier;          // a picture file to compare with, or empty
+    std::string host;             // as server.h has it, or empty
+    bool extrapolates = false;    // the bias away
+    bool opens = false;           // in a browser
+    bool stays = false;           // until a signal
     LogLevel log = LogLevel::info;
 };
 
 class LiveView {
 public:
     /// Serves the page, and says its address unless the log is quiet.
-    /// @throws Error if that cannot be.
+    /// @throws Error if that cannot be, or the earlier picture cannot be read.
     explicit LiveView(LiveViewing viewing);
 
     /// The scene has been read. @param earlier  passes of a render that goes on, or null.
@@ -42,20 +47,39 @@ public:
     /// Shows a picture that is finished.
     void show_finished(Picture picture);
     /// All files are written. Returns when the page is to go.
-    void end(const std::vector<std::string>& warnings);
+    /// @param meanwhile  called while viewers want to look at something.
+    void end(const std::vector<std::string>& warnings, const std::function<void()>& meanwhile);
+
+    // What viewers want of the render (apps/cli/steered_render.h).
+    LiveWishes& wishes() { return *wishes_; }
+    int watching() const { return server_.watching(); }
+    /// Returns the stops of the exposure that the page follows.
+    double exposure() const { return status_.exposure; }
+    void accept_wishes();
+    /// Says so, if it is new.
+    void set_paused(bool is_paused);
+    void set_ends(const LiveEnds& ends);
+    // A look aside.
+    void begin_look(const LiveLook& look);
+    void report_look(const Progress& progress);
+    void sketch_look(Picture picture);
+    void show_look(const Film& film);
+    void fail_look(const std::string& fault);
+    void end_look();
 
 private:
-    using Clock = std::chrono::steady_clock;
-
-    void put_up(Picture picture, bool is_preview);
-    void show_now(const Film& film);
+    /// Puts a picture up. @return what the page says of it.
+    LivePicture put_up(Picture picture, LivePlace place, bool is_preview);
+    LivePicture picture_of(const Film& film, LivePlace place);
     void tell() { board_->tell(status_json(status_)); }
 
     LiveViewing viewing_;
     LiveStatus status_;
-    Clock::time_point next_;          // picture at the earliest
+    Pacing pacing_;
+    Pacing look_pacing_;
     std::uint64_t shown_passes_ = 0;  // in the picture
     std::shared_ptr<LiveBoard> board_;
+    std::shared_ptr<LiveWishes> wishes_;
     LiveServer server_;
 };
 

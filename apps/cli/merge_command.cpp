@@ -2,8 +2,10 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
+#include "apps/cli/picture_flags.h"
 #include "core/thread_trial.h"
 #include "film/film_file.h"
+#include "film/film_picture.h"
 #include "image/atomic_file.h"
 #include "stats/darkness.h"
 #include "stats/image_stats.h"
@@ -27,8 +29,11 @@ int run_merge(const MergeOptions& options) {
                     options.inputs.front() +
                         " was not rendered by photon mapping, and has no bias to remove",
                     "leave it out");
+    if (!options.files.exr.half_layers.empty())
+        check_half_layers(options.files.exr, film_picture(film, {options.extrapolate}));
     DeferredError faults(LogLevel::quiet);  // thrown when all is tried
-    write_outputs(options.outputs, film, {options.exposure, options.extrapolate}, faults);
+    write_outputs(options.outputs, film, {options.exposure, options.extrapolate, options.files},
+                  faults);
     const auto doubts = extrapolation_warnings(film, options.extrapolate);
     for (const std::string& line : doubts) say(line);
     if (!options.stats.empty()) {

@@ -1,6 +1,7 @@
 // Options of the commands: one struct per command, one member per flag.
 #pragma once
 
+#include "display/address.h"
 #include "experiment/cell.h"
 #include "film/relight.h"
 #include "flags/render_request.h"
@@ -32,10 +33,13 @@ struct RenderOptions {
     double checkpoint_seconds = 60;             // least time between two checkpoints
     std::string resume;                         // checkpoint to continue, or empty
     LogLevel log = LogLevel::info;
-    bool view = false;       // serve a page that shows the render as it goes on
-    bool view_open = false;  // and open it in a browser
-    bool view_stay = false;  // and go on serving it when the render has ended
-    std::string command;     // as typed, for the record
+    bool view = false;         // serve a page that shows the render as it goes on
+    bool view_open = false;    // and open it in a browser
+    bool view_stay = false;    // and go on serving it when the render has ended
+    std::string view_host;     // address to serve it at; empty: this machine alone
+    std::string view_against;  // a picture to compare with there, or empty
+    std::optional<DisplayAddress> display_server;  // where tev listens
+    std::string command;                           // as typed, for the record
 };
 
 struct InfoOptions {
@@ -68,6 +72,7 @@ struct MergeOptions {
     std::vector<std::string> outputs;
     std::string stats;
     Exposure exposure;
+    PictureFileOptions files{};
     bool extrapolate = false;
 };
 
@@ -76,12 +81,16 @@ struct RelightOptions {
     std::vector<LightGroupFactor> factors;
     std::vector<std::string> outputs;
     Exposure exposure;
+    PictureFileOptions files{};
 };
 
 struct ViewOptions {
     std::string picture;
-    std::optional<Exposure> exposure;
-    bool opens = false;  // in a browser
+    std::string against;  // a picture to compare with, or empty
+    std::string host;     // address to serve at; empty: this machine alone
+    Exposure exposure;
+    OutputTransform transform{};  // its tone and white balance
+    bool opens = false;           // in a browser
 };
 
 struct CompareOptions {

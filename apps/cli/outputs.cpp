@@ -3,8 +3,9 @@
 
 #include "film/film_file.h"
 #include "film/film_picture.h"
-#include "image/picture_file.h"
 #include "sunfleck/error.h"
+
+#include <filesystem>
 
 namespace sunfleck::engine {
 namespace {
@@ -19,8 +20,11 @@ void check_outputs(const std::vector<std::string>& outputs,
                    const std::vector<std::string>& others) {
     for (const std::string& path : outputs) {
         if (!is_film(path) && !is_picture_path(path))
-            throw Error({path}, "unknown output format", "end it in .exr, .png or .film");
-        check_writable(path);
+            throw Error({path}, "unknown output format", "end it in .film, " + picture_endings());
+        if (is_film(path))
+            check_writable(path);
+        else
+            check_picture_path(path);
     }
     for (const std::string& path : others)
         if (!path.empty()) check_writable(path);
@@ -35,18 +39,20 @@ WrittenOutputs write_outputs(const std::vector<std::string>& outputs, const Film
                              const OutputOptions& options, DeferredError& faults) {
     WrittenOutputs written;
     const Picture picture = film_picture(film, {options.extrapolate});
-    const double stops = stops_of(options.exposure, picture);
+    const PictureFileOptions files = with_exposure(options.files, options.exposure, picture);
     for (const std::string& path : outputs) {
         const bool is_written = faults.attempt([&] {
             if (is_film(path))
                 write_film(path, film);
             else
-                write_picture(path, picture, {static_cast<float>(stops), false});
+                write_picture(path, picture, files);
         });
         if (!is_written) continue;
         written.files.push_back(path);
-        if (options.exposure.is_automatic && !is_film(path) && loses_aovs(path))
-            written.found_exposure = stops;
+        if (written.found_exposure || !options.exposure.is_automatic) continue;
+        if (is_film(path) || !loses_aovs(path)) continue;
+        written.found_exposure = files.transform.exposure;
+        written.exposed_ending = std::filesystem::path(path).extension().string();
     }
     return written;
 }

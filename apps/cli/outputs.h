@@ -4,6 +4,8 @@
 #include "apps/cli/deferred_error.h"
 #include "film/film.h"
 #include "image/atomic_file.h"
+#include "image/exposure.h"
+#include "image/picture_file.h"
 
 #include <list>
 #include <string>
@@ -38,11 +40,13 @@ private:
 struct OutputOptions {
     Exposure exposure;         // for formats of limited range alone
     bool extrapolate = false;  // pictures minus their bias
+    PictureFileOptions files{};
 };
 
 struct WrittenOutputs {
     std::vector<std::string> files;
     std::optional<double> found_exposure;  // stops, where a file has an automatic one
+    std::string exposed_ending;            // of that file: ".png"
 };
 
 /// Writes the film to every output: as .film, or as a picture. If one fails, the others are still

@@ -2,6 +2,7 @@
 #include "apps/cli/commands.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
+#include "apps/cli/picture_flags.h"
 #include "image/exr.h"
 #include "image/picture_file.h"
 
@@ -16,9 +17,11 @@ int run_relight(const RelightOptions& options) {
     const OutputClaims claims(options.outputs);
     const Relit relit_now = relit(read_exr(options.picture), options.factors, options.picture);
     DeferredError faults(LogLevel::quiet);  // thrown when all is tried
-    const auto stops = static_cast<float>(stops_of(options.exposure, relit_now.picture));
+    check_half_layers(options.files.exr, relit_now.picture);
+    const PictureFileOptions files =
+        with_exposure(options.files, options.exposure, relit_now.picture);
     for (const std::string& path : options.outputs)
-        faults.attempt([&] { write_picture(path, relit_now.picture, {stops, false}); });
+        faults.attempt([&] { write_picture(path, relit_now.picture, files); });
     faults.finish();
     if (!relit_now.left_out.empty())
         say(fmt::format("{}: the AOVs {} were left out: they show the lights before relighting",

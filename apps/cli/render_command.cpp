@@ -1,5 +1,6 @@
 // `sunfleck render`: scene in, pictures out.
 #include "apps/cli/commands.h"
+#include "apps/cli/display_link.h"
 #include "apps/cli/live_view.h"
 #include "apps/cli/messages.h"
 #include "apps/cli/outputs.h"
@@ -9,6 +10,7 @@
 #include "apps/cli/render_notes.h"
 #include "apps/cli/render_setup.h"
 #include "apps/cli/snapshots.h"
+#include "apps/cli/steered_render.h"
 #include "apps/cli/together.h"
 #include "core/parallel.h"
 #include "core/stopwatch.h"
@@ -33,10 +35,19 @@ Exposure exposure_of(const RenderOptions& options) {
     return options.request.exposure.value_or(usual_exposure(options.scene));
 }
 
+OutputOptions output_options(const RenderOptions& options) {
+    return {.exposure = exposure_of(options),
+            .extrapolate = options.request.stop.error_terms.extrapolated,
+            .files = options.request.files};
+}
+
 /// Returns what the flags ask of the page.
 LiveViewing viewing_of(const RenderOptions& options) {
     return {.name = std::filesystem::path(options.scene).filename().string(),
             .exposure = exposure_of(options),
+            .transform = options.request.files.transform,
+            .earlier = options.view_against,
+            .host = options.view_host,
             .extrapolates = options.request.stop.error_terms.extrapolated,
             .opens = options.view_open,
             .stays = options.view_stay,
@@ -68,7 +79,10 @@ void keep_snapshot(const RenderSetup& setup, const RenderState& so_far, Deferred
                    RunFacts& facts) {
     set_times(facts, so_far);
     InterruptGuard::finish_first([&] {
-        fault.attempt([&] { write_snapshot(setup.options.snapshots, so_far.film, facts); });
+        fault.attempt([&] {
+            write_snapshot(setup.options.snapshots, so_far.film, facts,
+                           output_options(setup.options));
+        });
     });
 }
 
@@ -77,22 +91,37 @@ RenderStep step_of(const Progress& progress) {
     return progress.is_learning ? RenderStep::learning : RenderStep::first_pass;
 }
 
+/// Where a render is watched; null: not there.
+struct Watchers {
+    LiveView* view = nullptr;
+    DisplayLink* display = nullptr;
+};
+
+void add_watchers(RenderHooks& hooks, const Watchers& watchers) {
+    const auto [view, display] = watchers;
+    if (view == nullptr && display == nullptr) return;
+    hooks.watch = [view, display](const Film& film) {
+        if (view != nullptr) view->show(film);
+        if (display != nullptr) display->show(film);
+    };
+    hooks.preview = [view, display](Picture picture) {
+        if (display != nullptr) display->preview(picture);
+        if (view != nullptr) view->preview(std::move(picture));
+    };
+}
+
 /// What rank 0 does while it renders: a progress line, and if wanted snapshots, checkpoints and a
-/// page.
-/// @param view  null: no page.
-RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, LiveView* view, KeptFiles& kept,
-                     RunFacts& facts) {
+/// page or a display server.
+RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, const Watchers& watchers,
+                     KeptFiles& kept, RunFacts& facts) {
     const RenderOptions& options = setup.options;
     RenderHooks hooks;
-    hooks.report = [&, view](const Progress& p) {
+    hooks.report = [&, view = watchers.view](const Progress& p) {
         InterruptGuard::set_answer(answer_while(step_of(p), options));
         line.show(p);
         if (view != nullptr) view->report(p);
     };
-    if (view != nullptr) {
-        hooks.watch = [view](const Film& film) { view->show(film); };
-        hooks.preview = [view](Picture picture) { view->preview(std::move(picture)); };
-    }
+    add_watchers(hooks, watchers);
     hooks.interrupted = &InterruptGuard::interrupted();
     if (!options.snapshots.empty())
         hooks.snapshot = [&](const RenderResult& so_far) {
@@ -113,8 +142,7 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
     InterruptGuard::set_answer(answer_while(RenderStep::writing, options));
     WrittenOutputs written;
     InterruptGuard::finish_first([&] {
-        written = write_outputs(setup.outputs, result.film,
-                                {exposure_of(options), facts.error_terms.extrapolated}, faults);
+        written = write_outputs(setup.outputs, result.film, output_options(options), faults);
     });
     line.reset();
     const std::vector<std::string> remarks = remarks_after(setup.job, result);
@@ -131,8 +159,9 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
                    target_error(result.film, options.request.stop.error_terms));
     for (std::string& file : written.files) file += ": " + state;
     if (written.found_exposure)
-        written.files.push_back(fmt::format(
-            "exposure of the .png: {0:+.1f} stops (--exposure {0:.1f})", *written.found_exposure));
+        written.files.push_back(
+            fmt::format("exposure of the {1}: {0:+.1f} stops (--exposure {0:.1f})",
+                        *written.found_exposure, written.exposed_ending));
     if (options.log == LogLevel::info) print_lines(written.files, options.log);
     faults.finish();
 }
@@ -161,6 +190,7 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
                                      ranks.is_first() && asked.log == LogLevel::info);
     std::optional<LiveView> view;
     if (asked.view && ranks.is_first()) view.emplace(viewing_of(asked));
+    const auto display = together(ranks, [&] { return display_link(asked, ranks); });
     const auto setup = together(ranks, [&] { return prepare(options_of(asked, ranks), ranks); });
     together(ranks, [&] {
         check_same_render(ranks, key_of(setup->job));
@@ -188,13 +218,18 @@ int run_render(const RenderOptions& asked, const Ranks& ranks) {
     std::optional<RenderState> earlier;
     if (setup->checkpoint) earlier = std::move(setup->checkpoint->state);
     if (view) view->begin(*setup, facts.warnings, earlier ? &earlier->film : nullptr);
-    const RenderHooks hooks = hooks_of(*setup, *line, view ? &*view : nullptr, kept, facts);
-    const RenderResult result = render(setup->job, hooks, std::move(earlier), ranks);
+    if (display) display->begin(key_of(setup->job), earlier ? &earlier->film : nullptr);
+    const Watchers watchers{view ? &*view : nullptr, display.get()};
+    const RenderHooks hooks = hooks_of(*setup, *line, watchers, kept, facts);
+    const RenderResult result = view && ranks.is_alone()
+                                    ? render_steered(*setup, hooks, std::move(earlier), *view)
+                                    : render(setup->job, hooks, std::move(earlier), ranks);
     if (view) view->show_last(result);
     write_all(*setup, result, facts, line);
     kept.checkpoints.finish();
     kept.snapshots.finish();
-    if (view) view->end(facts.warnings);
+    if (display) display->end(result.film);
+    if (view) view->end(facts.warnings, [&] { look_aside(*setup, *view); });
     return result.interrupted ? 130 : 0;
 }
 

@@ -2,6 +2,7 @@
 #include "apps/cli/render_options.h"
 
 #include "apps/cli/flag_rows.h"
+#include "apps/cli/picture_flags.h"
 #include "image/picture_file.h"
 #include "sunfleck/error.h"
 
@@ -22,14 +23,14 @@ void add_file_flags(CLI::App& app, RenderOptions& o) {
         ->required()
         ->type_name("FILE");
     app.add_option("-o,--output,--outfile", o.outputs,
-                   "Output file: .exr, .png, .film; may be repeated (default the scene's name for "
-                   "it, .exr)")
+                   "Output file: .exr, .png, .jpg, .film; may be repeated (default the scene's "
+                   "name for it, .exr)")
         ->type_name("FILE")
         ->allow_extra_args(false);
     app.add_option("--stats", o.stats, "Write statistics as JSON")->type_name("FILE");
     app.add_option("--snapshots", o.snapshots,
                    "Also write picture and statistics to this folder, after passes 1, 2, 4, 8 and "
-                   "so on and at the end")
+                   "so on and at the end, and the newest picture as latest.exr and latest.png")
         ->type_name("FOLDER");
     auto* const checkpoint =
         add_value(app,
@@ -58,8 +59,21 @@ void add_view_flags(CLI::App& app, RenderOptions& o) {
         app.add_flag("--view-open", o.view_open, "Also open that address in the browser");
     CLI::Option* const stay = app.add_flag(
         "--view-stay", o.view_stay, "Also keep the page when the render has ended, until Ctrl+C");
-    for (CLI::Option* more : {open, stay}) more->needs(view);
-    for (CLI::Option* option : {view, open, stay}) option->group("View");
+    CLI::Option* const host =
+        app.add_option("--view-host", o.view_host,
+                       "Serve the page at this address, or 0.0.0.0, not to this machine alone");
+    host->type_name("ADDRESS");
+    CLI::Option* const against = app.add_option("--view-against", o.view_against,
+                                                "A picture to compare with on the page, by a wipe");
+    against->type_name("FILE");
+    for (CLI::Option* more : {open, stay, host, against}) more->needs(view);
+    for (CLI::Option* option : {view, open, stay, host, against}) option->group("View");
+    add_value(app,
+              {.name = "--display-server",
+               .form = "HOST:PORT",
+               .help = "Also show the render in tev, which listens there: 127.0.0.1:14158",
+               .group = "View"},
+              o.display_server, read_display_address);
 }
 
 void add_run_flags(CLI::App& app, RenderOptions& o) {
@@ -97,7 +111,31 @@ void check_aovs_fit(const CLI::App& given, const RenderOptions& o) {
         return;
     for (const char* flag : {"--aovs", "--light-group"})
         if (given.count(flag) > 0)
-            throw Error({flag}, "a .png holds no AOVs", "add an output that does: -o FILE.exr");
+            throw Error({flag}, "a .png or .jpg holds no AOVs",
+                        "add an output that does: -o FILE.exr");
+}
+
+/// Returns names of picture files that the render will write, by their endings.
+std::vector<std::string> picture_files(const RenderOptions& o) {
+    std::vector<std::string> files = o.outputs;
+    if (files.empty()) files.emplace_back("the scene's.exr");
+    if (!o.snapshots.empty()) files.insert(files.end(), {"latest.exr", "latest.png"});
+    return files;
+}
+
+/// Returns the layers that pictures of the render have, or may have once there are error bars.
+std::vector<std::string> possible_layers(const RenderRequest& request) {
+    constexpr int kMostLights = 64;  // of --light-group each
+    std::vector<std::string> layers = {"picture", "error", "bias"};
+    for (const AovRow& row : kAovs)
+        if (!row.name.empty() && request.settings.aovs.at(static_cast<std::size_t>(row.aov)))
+            layers.emplace_back(row.name);
+    for (const AskedLightGroup& group : request.light_groups) {
+        if (!group.name.empty()) layers.push_back(group.name);
+        for (int light = 1; group.name.empty() && light <= kMostLights; ++light)
+            layers.push_back("light" + std::to_string(light));
+    }
+    return layers;
 }
 
 }  // namespace
@@ -113,6 +151,8 @@ void add_render_flags(CLI::App& app, RenderOptions& o, RenderFlags& flags) {
 void finish_render(const CLI::App& given, const RenderFlags& flags, RenderOptions& o) {
     o.request = flags.finish();
     check_aovs_fit(given, o);
+    check_picture_flags(given, picture_files(o), o.view);
+    check_half_layers(o.request.files.exr, possible_layers(o.request));
 }
 
 }  // namespace sunfleck::engine

@@ -56,9 +56,19 @@ CommandFiles files_of(const RenderOptions& options, std::vector<std::string> rea
     return files;
 }
 
+/// Returns what a page takes: the picture that viewers read, and the next one.
+std::uint64_t bytes_of_page(const FilmKey& key) {
+    std::size_t channels = 1 + 3 + 3 * key.light_groups.size();  // error, bias, groups
+    for (std::size_t i = 0; i < kAovCount; ++i)
+        if (key.has(i)) channels += kAovs.at(i).channels.size();
+    return 2 * channels * sizeof(float) * key.pixels();
+}
+
 /// @throws Error if the render, its scene being in memory, would need more than there is.
-void check_memory(const RenderJob& job, const std::optional<std::uint64_t>& limit) {
-    const std::uint64_t needed = memory_in_use() + render_bytes(job).usual;
+void check_memory(const RenderJob& job, const RenderOptions& options) {
+    const std::uint64_t of_page = options.view ? bytes_of_page(key_of(job)) : 0;
+    const std::uint64_t needed = memory_in_use() + render_bytes(job).usual + of_page;
+    const auto& limit = options.memory_limit;
     const MemoryRoom room = limit ? MemoryRoom{*limit, "--memory-limit"} : memory_room();
     if (needed <= room.bytes) return;
     const PixelWindow window = window_of(job.scene.film());
@@ -91,7 +101,9 @@ std::vector<std::string> written_files(const RenderSetup& setup) {
     const RenderOptions& options = setup.options;
     std::vector<std::string> files = setup.outputs;
     files.insert(files.end(), {options.stats, options.checkpoint});
-    if (!options.snapshots.empty()) files.push_back(claim_of_snapshots(options.snapshots));
+    if (options.snapshots.empty()) return files;
+    for (std::string& claim : claims_of_snapshots(options.snapshots))
+        files.push_back(std::move(claim));
     return files;
 }
 
@@ -111,7 +123,7 @@ std::unique_ptr<RenderSetup> prepare(const RenderOptions& options, const Ranks& 
     check_apart(files_of(options, description.files, outputs));
     if (!options.snapshots.empty()) prepare_snapshots(options.snapshots, checkpoint.has_value());
     auto setup = std::make_unique<RenderSetup>(options, std::move(description));
-    check_memory(setup->job, options.memory_limit);
+    check_memory(setup->job, options);
     setup->checkpoint = std::move(checkpoint);
     setup->outputs = std::move(outputs);
     if (setup->checkpoint)

@@ -18,11 +18,14 @@ int run_view(const ViewOptions& options) {
     static constexpr InterruptAnswer kNothingIsLost{};
     const InterruptGuard guard(kNothingIsLost);
     LiveView view({.name = std::filesystem::path(options.picture).filename().string(),
-                   .exposure = options.exposure.value_or(Exposure()),
+                   .exposure = options.exposure,
+                   .transform = options.transform,
+                   .earlier = options.against,
+                   .host = options.host,
                    .opens = options.opens,
                    .stays = true});
     view.show_finished(std::move(picture));
-    view.end({});
+    view.end({}, [] {});
     return 0;
 }
 

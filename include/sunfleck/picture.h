@@ -31,8 +31,9 @@ public:
     std::span<const float> channel(const std::string& name) const;
     const std::map<std::string, std::string>& metadata() const;
 
-    /// Writes .exr with all channels, or .png of R, G, B; whole or not at all.
-    /// @param exposure  stops, for .png alone. @throws Error  for another ending, and where the
+    /// Writes .exr with all channels, or .png or .jpg of R, G, B; whole or not at all. The picture
+    /// of a Renderer has its settings of picture files: "tone", "exr-half" and so on.
+    /// @param exposure  stops, for .png and .jpg. @throws Error  for another ending, and where the
     /// file cannot be written.
     void save(const std::string& path, std::optional<double> exposure = {}) const;
 

@@ -1,6 +1,7 @@
 // Snapshots of a folder, and their quartiles over seeds.
 #include "compare/series.h"
 
+#include "core/snapshot_names.h"
 #include "core/statistics_file.h"
 #include "sunfleck/error.h"
 
@@ -38,14 +39,21 @@ Snapshot read_snapshot(const fs::path& picture) {
     }
 }
 
-bool is_exr(const fs::path& path) {
-    return path.extension() == ".exr";
+/// A newest picture that has no statistics is a numbered one once more.
+bool is_copy(const fs::path& path) {
+    std::error_code code;
+    return path.filename() == kLatestExr &&
+           !fs::exists(fs::path(path).replace_extension(".json"), code);
+}
+
+bool is_snapshot_picture(const fs::path& path) {
+    return path.extension() == ".exr" && !is_copy(path);
 }
 
 Snapshots snapshots_in(const fs::path& folder) {
     std::vector<fs::path> pictures;
     for (const auto& entry : fs::directory_iterator(folder))
-        if (is_exr(entry.path())) pictures.push_back(entry.path());
+        if (is_snapshot_picture(entry.path())) pictures.push_back(entry.path());
     std::sort(pictures.begin(), pictures.end());
     Snapshots found;
     for (const fs::path& picture : pictures) found.push_back(read_snapshot(picture));

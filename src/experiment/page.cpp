@@ -81,7 +81,7 @@ std::string pictures_html(const Results& results, const Section& section) {
             const std::string name = "pictures/" + shown.name + ".png";
             const fs::path path = fs::path(results.settings().folder) / name;
             fs::create_directories(path.parent_path());
-            write_png(path.string(), read_exr(shown.file), exposure);
+            write_png(path.string(), read_exr(shown.file), {.exposure = exposure});
             html += fmt::format(
                 "<figure><img src=\"{0}\" alt=\"{1}\" loading=\"lazy\">"
                 "<figcaption>{1}</figcaption></figure>\n",

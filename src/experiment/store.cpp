@@ -1,6 +1,7 @@
 // Cells on the disk.
 #include "experiment/store.h"
 
+#include "core/snapshot_names.h"
 #include "experiment/child.h"
 #include "image/atomic_file.h"
 #include "image/read_file.h"
@@ -68,6 +69,7 @@ bool is_on_the_way(const fs::path& picture) {
 
 /// Removes snapshots except the last one, and except those of the series if it is kept.
 void drop_pictures(const fs::path& folder, bool keep_series) {
+    for (const std::string_view name : {kLatestExr, kLatestPng}) fs::remove(folder / name);
     std::vector<fs::path> files;
     for (const auto& entry : fs::directory_iterator(folder))
         if (entry.path().extension() == ".exr") files.push_back(entry.path());

@@ -51,7 +51,8 @@ public:
         const std::string shapes = shapes_text();  // makes textures and materials
         const std::string picture = std::filesystem::path(name_).stem().string() + ".exr";
         const MediumSides at_camera{scene_.media.at_camera, scene_.media.at_camera};
-        const std::string camera = camera_text(scene_, interface_text(at_camera), result_.warnings);
+        const std::string camera =
+            camera_text(scene_.camera, interface_text(at_camera), {scene_.path}, result_.warnings);
         const std::string media = media_text();
         std::string text = "# Written by Sunfleck.\n" + media + camera +
                            film_text(scene_.film, picture) + filter_text(scene_.filter) +

@@ -94,12 +94,11 @@ struct CameraStatement {
 
 }  // namespace
 
-std::string camera_text(const SceneDescription& scene, const std::string& around,
-                        Warnings& warnings) {
-    const Matrix& to_world = std::visit(
-        [](const auto& camera) -> const Matrix& { return camera.camera_to_world; }, scene.camera);
-    const SourceLocation where{scene.path};
-    const StatementText statement = std::visit(CameraStatement{warnings, where}, scene.camera);
+std::string camera_text(const Camera& camera, const std::string& around,
+                        const SourceLocation& where, Warnings& warnings) {
+    const Matrix& to_world =
+        std::visit([](const auto& one) -> const Matrix& { return one.camera_to_world; }, camera);
+    const StatementText statement = std::visit(CameraStatement{warnings, where}, camera);
     return transform_text(to_world.inverse()) + around + statement.text();
 }
 

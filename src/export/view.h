@@ -7,9 +7,10 @@
 
 namespace sunfleck::engine {
 
-/// Returns the statement of the camera, with its frame. @param around  MediumInterface, or empty.
-std::string camera_text(const SceneDescription& scene, const std::string& around,
-                        Warnings& warnings);
+/// Returns the statement of a camera in the world, with its frame. @param around  MediumInterface,
+/// or empty. @param where  the scene, for warnings.
+std::string camera_text(const Camera& camera, const std::string& around,
+                        const SourceLocation& where, Warnings& warnings);
 
 /// @param picture  name of the picture's file.
 std::string film_text(const FilmDescription& film, const std::string& picture);

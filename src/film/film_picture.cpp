@@ -3,6 +3,7 @@
 
 #include "core/parallel.h"
 #include "film/bias.h"
+#include "film/film_metadata.h"
 
 #include <span>
 #include <vector>
@@ -83,7 +84,8 @@ void add_error(Picture& picture, const Film& film, const FilmPictureOptions& opt
 }  // namespace
 
 Picture film_picture(const Film& film, FilmPictureOptions options) {
-    Picture picture{film.key().width, film.key().height, {}, {}};
+    Picture picture{film.key().width, film.key().height, {}, film_metadata(film)};
+    picture.pixel_aspect = pixel_aspect_of(film.key());
     const double share = film.pass_count() == 0 ? 0 : 1 / film.passes_in_picture();
     for (std::size_t i = 0; i < kAovCount; ++i) {
         const AovRow& row = kAovs.at(i);

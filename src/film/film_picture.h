@@ -23,6 +23,7 @@ struct FilmPictureOptions {
 /// the gather radius is known, "bias.R", "bias.G", "bias.B" are what to subtract from RGB, or what
 /// has been subtracted. In the latter case metadata say so, the error is that of the difference,
 /// and AOVs are unchanged: they add up to RGB plus bias. Without passes the picture is black.
+/// Metadata are those of film_metadata.h, too.
 Picture film_picture(const Film& film, FilmPictureOptions options = {});
 
 }  // namespace sunfleck::engine

@@ -15,15 +15,7 @@ namespace {
 
 constexpr std::string_view kRgb = "RGB";
 
-std::set<std::string> light_groups_of(const Picture& picture) {
-    const auto found = picture.metadata.find(kLightGroupNames);
-    std::istringstream names(found == picture.metadata.end() ? std::string() : found->second);
-    std::set<std::string> groups;
-    for (std::string name; names >> name;) groups.insert(name);
-    return groups;
-}
-
-std::string joined(const std::set<std::string>& names) {
+std::string joined(const std::vector<std::string>& names) {
     std::string text;
     for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
     return text;
@@ -48,26 +40,34 @@ void apply(const LightGroupFactor& factor, Picture& picture, const std::string& 
 }
 
 /// Returns whether the channel stays valid when lights change.
-bool stays(const std::string& channel, const std::set<std::string>& lights) {
+bool stays(const std::string& channel, const std::vector<std::string>& lights) {
     constexpr std::array<std::string_view, 3> kFeatures = {"albedo", "normal", "depth"};
     const std::size_t dot = channel.rfind('.');
     if (dot == std::string::npos) return true;  // R, G, B
     const std::string group = channel.substr(0, dot);
-    return lights.contains(group) ||
+    return std::find(lights.begin(), lights.end(), group) != lights.end() ||
            std::find(kFeatures.begin(), kFeatures.end(), group) != kFeatures.end();
 }
 
 }  // namespace
 
+std::vector<std::string> light_groups_of(const Picture& picture) {
+    const auto found = picture.metadata.find(kLightGroupNames);
+    std::istringstream names(found == picture.metadata.end() ? std::string() : found->second);
+    std::set<std::string> groups;
+    for (std::string name; names >> name;) groups.insert(name);
+    return {groups.begin(), groups.end()};
+}
+
 Relit relit(const Picture& picture, const std::vector<LightGroupFactor>& factors,
             const std::string& name) {
-    const std::set<std::string> lights = light_groups_of(picture);
+    const std::vector<std::string> lights = light_groups_of(picture);
     if (lights.empty())
         throw Error({name}, "has no light groups", "render it with --light-group, as .exr");
     Relit result{picture, {}};
     std::set<std::string> named;
     for (const LightGroupFactor& factor : factors) {
-        if (!lights.contains(factor.name))
+        if (std::find(lights.begin(), lights.end(), factor.name) == lights.end())
             throw Error({name}, "has no light group \"" + factor.name + "\"",
                         "use some of " + joined(lights));
         if (!named.insert(factor.name).second)
@@ -83,6 +83,15 @@ Relit relit(const Picture& picture, const std::vector<LightGroupFactor>& factors
     });
     result.left_out.assign(left_out.begin(), left_out.end());
     return result;
+}
+
+Picture rest_of_light(const Picture& picture) {
+    std::vector<LightGroupFactor> dark;
+    for (const std::string& group : light_groups_of(picture)) dark.push_back({group, Vec3(0)});
+    Picture rest = dark.empty() ? picture : relit(picture, dark, "the picture").picture;
+    std::erase_if(rest.channels,
+                  [](const Channel& channel) { return kRgb.find(channel.name) == kRgb.npos; });
+    return rest;
 }
 
 }  // namespace sunfleck::engine

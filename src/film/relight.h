@@ -28,4 +28,11 @@ struct Relit {
 Relit relit(const Picture& picture, const std::vector<LightGroupFactor>& factors,
             const std::string& name);
 
+/// Returns the names of the picture's light groups, sorted.
+std::vector<std::string> light_groups_of(const Picture& picture);
+
+/// Returns R, G, B without the light of all groups: all light of a picture that has none.
+/// @throws Error  for a picture that lacks one of the channels.
+Picture rest_of_light(const Picture& picture);
+
 }  // namespace sunfleck::engine

@@ -9,6 +9,8 @@ namespace sunfleck::engine {
 std::vector<RenderFlag> end_flags();
 /// What the picture shows: size, crop, exposure, AOVs, and whether bias is subtracted.
 std::vector<RenderFlag> picture_flags();
+/// How picture files are made of light, and how they are stored.
+std::vector<RenderFlag> file_flags();
 /// Which light paths there are, with every integrator.
 std::vector<RenderFlag> transport_flags();
 /// Integrator, photon sampler, gather radii. --photon-sampler stands before the flags that change

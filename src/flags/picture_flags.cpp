@@ -1,6 +1,6 @@
 // The rows of the flags of every way of rendering.
 #include "flags/flag_tables.h"
-#include "image/picture_file.h"
+#include "image/output_transform.h"
 
 #include <sstream>
 
@@ -49,8 +49,9 @@ std::vector<RenderFlag> frame_flags() {
         {.name = "--exposure",
          .value = value_of("STOPS|auto", read_exposure,
                            [](auto& r, const auto& exposure) { r.exposure = exposure; }),
-         .help = "Stops (-100 to 100), for PNG alone; auto: the middle of the picture becomes a "
-                 "middle grey",
+         .help =
+             "Stops (-100 to 100), for .png and .jpg; auto: the middle of the picture becomes a "
+             "middle grey",
          .default_value = "0, but auto for scenes other than pbrt's"},
     };
 }

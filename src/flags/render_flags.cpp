@@ -36,6 +36,7 @@ std::vector<RenderFlag> joined_tables() {
     };
     add("When the render ends", end_flags());
     add("Picture", picture_flags());
+    add(kPictureFilesGroup, file_flags());
     add("Light transport", transport_flags());
     add("Method", method_flags());
     add("Parts of the sampler adaptive", adaptive_flags(),

@@ -13,6 +13,9 @@ namespace sunfleck::engine {
 /// change what a sampler prescribes: texts are read in this order.
 const std::vector<RenderFlag>& render_flags();
 
+/// Heading of the flags that every command has that writes pictures.
+inline constexpr const char* kPictureFilesGroup = "Picture files";
+
 /// @param name  of a flag or its alias: "--light-group", "light-group" or "light_group".
 /// @throws Error for a name that no flag has, with the new name if one had it before.
 const RenderFlag& render_flag(const std::string& name);

@@ -6,6 +6,7 @@
 #include "camera/camera.h"
 #include "flags/light_groups.h"
 #include "image/exposure.h"
+#include "image/picture_file.h"
 #include "stages/settings.h"
 
 #include <array>
@@ -31,6 +32,7 @@ struct RenderRequest {
     /// For formats of limited range alone. Absent: automatic for scenes in physical units, which
     /// are all but pbrt's, and 0 for pbrt's.
     std::optional<Exposure> exposure;
+    PictureFileOptions files{};  // how pictures are written; the exposure is the one above
 };
 
 /// Changes the view of a scene as the request says: size and crop.

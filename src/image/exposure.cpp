@@ -1,7 +1,7 @@
 // Mean of logarithms.
 #include "image/exposure.h"
 
-#include "image/picture_file.h"
+#include "image/output_transform.h"
 #include "math/colour.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "image/picture.h"
+#include "image/picture_file.h"
 
 namespace sunfleck::engine {
 
@@ -17,6 +18,13 @@ double automatic_stops(const Picture& picture);
 
 inline double stops_of(const Exposure& exposure, const Picture& picture) {
     return exposure.is_automatic ? automatic_stops(picture) : exposure.stops;
+}
+
+/// Returns the options with the exposure of this picture.
+inline PictureFileOptions with_exposure(PictureFileOptions options, const Exposure& exposure,
+                                        const Picture& picture) {
+    options.transform.exposure = static_cast<float>(stops_of(exposure, picture));
+    return options;
 }
 
 }  // namespace sunfleck::engine

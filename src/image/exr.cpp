@@ -3,14 +3,16 @@
 
 #include "core/machine_fault.h"
 #include "image/atomic_file.h"
+#include "image/exr_header.h"
 
-#include <OpenEXR/ImfChannelList.h>
 #include <OpenEXR/ImfFrameBuffer.h>
-#include <OpenEXR/ImfHeader.h>
 #include <OpenEXR/ImfIO.h>
 #include <OpenEXR/ImfInputFile.h>
+#include <OpenEXR/ImfMultiPartInputFile.h>
+#include <OpenEXR/ImfMultiPartOutputFile.h>
 #include <OpenEXR/ImfOutputFile.h>
-#include <OpenEXR/ImfStringAttribute.h>
+#include <OpenEXR/ImfOutputPart.h>
+#include <OpenEXR/ImfPartType.h>
 
 #include <algorithm>
 #include <cmath>
@@ -79,17 +81,6 @@ private:
     std::uint64_t place_ = 0;
 };
 
-Imf::Header header_of(const Picture& picture, const ExrOptions& options) {
-    Imf::Header header(picture.width, picture.height);
-    header.compression() = Imf::ZIP_COMPRESSION;
-    const Imf::PixelType type = options.half ? Imf::HALF : Imf::FLOAT;
-    for (const Channel& channel : picture.channels)
-        header.channels().insert(channel.name, Imf::Channel(type));
-    for (const auto& [name, text] : picture.metadata)
-        header.insert(name, Imf::StringAttribute(text));
-    return header;
-}
-
 std::vector<half> to_half(const std::vector<float>& values) {
     std::vector<half> result(values.size());
     for (std::size_t i = 0; i < values.size(); ++i) {
@@ -107,25 +98,76 @@ Imf::Slice slice(Imf::PixelType type, const Value* values, int width) {
     return {type, bytes, sizeof(Value), sizeof(Value) * static_cast<std::size_t>(width)};
 }
 
-void write_channels(Imf::OStream& stream, const Picture& picture, const ExrOptions& options) {
-    std::vector<std::vector<half>> halves;
-    Imf::FrameBuffer buffer;
-    for (const Channel& channel : picture.channels) {
-        if (options.half) {
-            halves.push_back(to_half(channel.values));
-            buffer.insert(channel.name, slice(Imf::HALF, halves.back().data(), picture.width));
-        } else {
-            buffer.insert(channel.name, slice(Imf::FLOAT, channel.values.data(), picture.width));
+/// Slices over the channels of some layers. Halves are kept here while they are written.
+class Slices {
+public:
+    void add(const ExrLayer& layer, int width, const ExrOptions& options) {
+        for (const Channel* channel : layer.channels) {
+            if (is_half(layer.name, options)) {
+                halves_.push_back(to_half(channel->values));
+                buffer_.insert(channel->name, slice(Imf::HALF, halves_.back().data(), width));
+            } else {
+                buffer_.insert(channel->name, slice(Imf::FLOAT, channel->values.data(), width));
+            }
         }
     }
-    Imf::OutputFile output(stream, header_of(picture, options), 0);
-    output.setFrameBuffer(buffer);
+    const Imf::FrameBuffer& buffer() const { return buffer_; }
+
+private:
+    std::vector<std::vector<half>> halves_;
+    Imf::FrameBuffer buffer_;
+};
+
+void write_in_one(Imf::OStream& stream, const Picture& picture, const ExrOptions& options) {
+    Imf::Header header = plain_exr_header(picture, options);
+    insert_metadata(header, picture);
+    Slices slices;
+    for (const ExrLayer& layer : exr_layers(picture)) {
+        insert_channels(header, layer, options);
+        slices.add(layer, picture.width, options);
+    }
+    Imf::OutputFile output(stream, header, 0);
+    output.setFrameBuffer(slices.buffer());
     output.writePixels(picture.height);
 }
 
+/// Writes each layer as a part; the first has the metadata.
+void write_in_parts(Imf::OStream& stream, const Picture& picture, const ExrOptions& options) {
+    const std::vector<ExrLayer> layers = exr_layers(picture);
+    std::vector<Imf::Header> headers;
+    for (const ExrLayer& layer : layers) {
+        headers.push_back(plain_exr_header(picture, options));
+        headers.back().setName(layer.name);
+        headers.back().setType(Imf::SCANLINEIMAGE);
+        insert_channels(headers.back(), layer, options);
+    }
+    insert_metadata(headers.front(), picture);
+    Imf::MultiPartOutputFile output(stream, headers.data(), static_cast<int>(headers.size()), false,
+                                    0);
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+        Slices slices;
+        slices.add(layers[i], picture.width, options);
+        Imf::OutputPart part(output, static_cast<int>(i));
+        part.setFrameBuffer(slices.buffer());
+        part.writePixels(picture.height);
+    }
+}
+
+void write_channels(Imf::OStream& stream, const Picture& picture, const ExrOptions& options) {
+    (options.parts ? write_in_parts : write_in_one)(stream, picture, options);
+}
+
+bool is_complete(const std::string& path, bool has_parts) {
+    if (!has_parts) return Imf::InputFile(path.c_str()).isComplete();
+    const Imf::MultiPartInputFile file(path.c_str());
+    for (int part = 0; part < file.parts(); ++part)
+        if (!file.partComplete(part)) return false;
+    return true;
+}
+
 /// Throws if rows are missing: the library ignores failures while it compresses rows.
-void check_complete(const std::string& path, const AtomicFile& file) {
-    if (!Imf::InputFile(file.temporary().c_str()).isComplete())
+void check_complete(const std::string& path, const AtomicFile& file, bool has_parts) {
+    if (!is_complete(file.temporary(), has_parts))
         throw MachineFault({path}, "cannot be compressed", "free some memory");
 }
 
@@ -136,8 +178,12 @@ void write_exr(const std::string& path, const Picture& picture, const ExrOptions
     FileStream stream(file, path);
     write_channels(stream, picture, options);
     stream.finish();
-    check_complete(path, file);
+    check_complete(path, file, options.parts);
     file.commit();
+}
+
+void check_exr_date() {
+    exr_date();
 }
 
 std::string exr_bytes(const Picture& picture, const ExrOptions& options) {

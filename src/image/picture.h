@@ -25,6 +25,7 @@ struct Picture {
     int height = 0;
     std::vector<Channel> channels;
     std::map<std::string, std::string> metadata;  // key to text, for formats that can store it
+    float pixel_aspect = 1;                       // width of a pixel over its height
 
     friend bool operator==(const Picture&, const Picture&) = default;
 

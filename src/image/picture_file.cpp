@@ -3,7 +3,6 @@
 
 #include "core/small_letters.h"
 #include "image/atomic_file.h"
-#include "image/exr.h"
 #include "image/png.h"
 #include "sunfleck/error.h"
 
@@ -21,15 +20,26 @@ struct Format {
                   const PictureFileOptions& options);
 };
 
+void write_as_exr(const std::string& path, const Picture& picture,
+                  const PictureFileOptions& options) {
+    write_exr(path, picture, options.exr);
+}
+
+void write_as_png(const std::string& path, const Picture& picture,
+                  const PictureFileOptions& options) {
+    write_png(path, picture, options.transform, options.png_bits);
+}
+
+void write_as_jpeg(const std::string& path, const Picture& picture,
+                   const PictureFileOptions& options) {
+    write_jpeg(path, picture, options.transform, options.jpeg_quality);
+}
+
 constexpr std::array kFormats = {
-    Format{".exr", true,
-           [](const std::string& path, const Picture& picture, const PictureFileOptions& options) {
-               write_exr(path, picture, {options.half});
-           }},
-    Format{".png", false,
-           [](const std::string& path, const Picture& picture, const PictureFileOptions& options) {
-               write_png(path, picture, options.exposure);
-           }},
+    Format{".exr", true, write_as_exr},
+    Format{".png", false, write_as_png},
+    Format{".jpg", false, write_as_jpeg},
+    Format{".jpeg", false, write_as_jpeg},
 };
 
 /// Returns the format of a name's ending; null for an unknown one.
@@ -42,13 +52,19 @@ const Format* find_format(const std::string& path) {
 
 const Format& format_of(const std::string& path) {
     if (const Format* format = find_format(path)) return *format;
-    std::string known;
-    for (const Format& format : kFormats)
-        known += (known.empty() ? "" : " or ") + std::string(format.ending);
-    throw Error({path}, "unknown picture format", "end the name in " + known);
+    throw Error({path}, "unknown picture format", "end the name in " + picture_endings());
 }
 
 }  // namespace
+
+std::string picture_endings() {
+    std::string known;
+    for (const Format& format : kFormats) {
+        const bool is_last = &format == &kFormats.back();
+        known += (known.empty() ? "" : is_last ? " or " : ", ") + std::string(format.ending);
+    }
+    return known;
+}
 
 bool is_picture_path(const std::string& path) {
     return find_format(path) != nullptr;
@@ -60,7 +76,7 @@ bool loses_aovs(const std::string& path) {
 }
 
 void check_picture_path(const std::string& path) {
-    format_of(path);
+    if (format_of(path).holds_layers) check_exr_date();
     check_writable(path);
 }
 

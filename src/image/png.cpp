@@ -8,13 +8,11 @@
 #include "image/formats.h"
 #include "image/image_memory.h"
 #include "image/read_file.h"
-#include "image/srgb.h"
 #include "sunfleck/error.h"
 
 #include <png.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <csetjmp>
 #include <cstddef>
@@ -116,46 +114,45 @@ void encode(PngJob& job) {
     png_infop info = png_create_info_struct(png);
     const auto width = static_cast<png_uint_32>(job.image.width);
     const auto height = static_cast<png_uint_32>(job.image.height);
-    const auto channels = static_cast<std::size_t>(job.image.channels);
+    const auto step = static_cast<std::size_t>(job.image.channels * job.image.bits / 8);
     // NOLINTNEXTLINE(cert-err52-cpp,modernize-avoid-*): the library's only way to report
     if (setjmp(png_jmpbuf(png)) == 0) {
         png_set_write_fn(png, &job, on_write, on_flush);
-        png_set_IHDR(png, info, width, height, 8, colour_type(job.image.channels),
+        png_set_IHDR(png, info, width, height, job.image.bits, colour_type(job.image.channels),
                      PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
         if (job.is_srgb) png_set_sRGB(png, info, PNG_sRGB_INTENT_PERCEPTUAL);
         png_write_info(png, info);
         for (std::size_t y = 0; y < height; ++y)
-            png_write_row(png, job.row.data() + y * width * channels);
+            png_write_row(png, job.row.data() + y * width * step);
         png_write_end(png, info);
     }
     png_destroy_write_struct(&png, &info);
 }
 
-/// Returns 8-bit sRGB values, pixel by pixel.
-std::vector<png_byte> encoded_rgb(const std::string& path, const Picture& picture, float scale) {
-    std::vector<png_byte> bytes(picture.pixels() * 3);
-    std::size_t first = 0;
-    for (const std::string_view name : {"R", "G", "B"}) {
-        const Channel* channel = picture.find(name);
-        if (channel == nullptr)
-            throw Error({path}, "the picture has no channel " + std::string(name),
-                        "write it as .exr");
-        for (std::size_t i = 0; i < picture.pixels(); ++i)
-            bytes[i * 3 + first] = srgb_byte(channel->values[i] * scale);
-        ++first;
+/// Returns the bytes of values in [0,1], each rounded to the nearest level; of 16 bits the high
+/// byte comes first.
+std::vector<png_byte> levels_of(const std::vector<float>& values, int bits) {
+    const std::size_t step = bits == 16 ? 2 : 1;
+    std::vector<png_byte> bytes(values.size() * step);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const long level = std::lround((bits == 16 ? 65535 : 255) * values[i]);
+        if (step == 2) bytes[2 * i] = static_cast<png_byte>(level >> 8);
+        bytes[step * i + step - 1] = static_cast<png_byte>(level & 255);
     }
     return bytes;
 }
 
 }  // namespace
 
-void write_png(const std::string& path, const Picture& picture, float exposure) {
+void write_png(const std::string& path, const Picture& picture, const OutputTransform& transform,
+               int bits) {
     PngJob job;
     job.image.width = picture.width;
     job.image.height = picture.height;
     job.image.channels = 3;
+    job.image.bits = bits;
     job.is_srgb = true;
-    job.row = encoded_rgb(path, picture, std::exp2(exposure));
+    job.row = levels_of(screen_values(picture, transform, path), bits);
     encode(job);
     if (!job.fault.empty())
         throw Error({path}, "cannot be written as PNG: " + job.fault, "write it as .exr");

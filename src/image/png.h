@@ -1,6 +1,8 @@
-// PNG files: writing of 8-bit sRGB pictures, and reading of the encoded values of any PNG.
+// PNG files: writing of sRGB pictures of 8 or 16 bits, and reading of the encoded values of any
+// PNG.
 #pragma once
 
+#include "image/output_transform.h"
 #include "image/picture.h"
 #include "math/vector.h"
 
@@ -12,10 +14,11 @@
 
 namespace sunfleck::engine {
 
-/// Writes the channels R, G, B as 8-bit sRGB, atomically.
-/// @param exposure  in stops: light is multiplied by 2^exposure before encoding.
+/// Writes the channels R, G, B as sRGB, atomically.
+/// @param bits  of a value: 8 or 16.
 /// @throws Error  if the file cannot be written.
-void write_png(const std::string& path, const Picture& picture, float exposure = 0);
+void write_png(const std::string& path, const Picture& picture,
+               const OutputTransform& transform = {}, int bits = 8);
 
 /// Returns the bytes of a file of 8-bit values as they are.
 /// @param channels  1 grey, 3 RGB, 4 RGB and alpha.

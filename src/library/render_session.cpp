@@ -142,9 +142,10 @@ Picture RenderSession::picture() const {
     return guarded([&] {
         const std::lock_guard lock(guard_);
         engine::Picture made = engine::film_picture(shown_->loop.result().film, options);
-        const double stops = engine::stops_of(*request_.exposure, made);
-        return Picture(
-            std::make_shared<const Picture::Data>(Picture::Data{std::move(made), stops}));
+        engine::PictureFileOptions files = request_.files;
+        files.transform.exposure = static_cast<float>(engine::stops_of(*request_.exposure, made));
+        return Picture(std::make_shared<const Picture::Data>(
+            Picture::Data{std::move(made), std::move(files)}));
     });
 }
 

@@ -5,11 +5,18 @@
 
 namespace sunfleck::engine {
 
-std::uint64_t LiveBoard::show(Picture picture) {
+std::uint64_t LiveBoard::show(Picture picture, LivePlace place) {
     auto shared = std::make_shared<const Picture>(std::move(picture));
     const std::lock_guard lock(mutex_);
-    std::swap(shown_.picture, shared);  // the last one goes after the lock, if nobody reads it
-    return ++shown_.number;
+    Shown& shown = shown_.at(static_cast<std::size_t>(place));
+    std::swap(shown.picture, shared);  // the last one goes after the lock, if nobody reads it
+    return shown.number = ++number_;
+}
+
+void LiveBoard::clear(LivePlace place) {
+    Shown empty;
+    const std::lock_guard lock(mutex_);
+    std::swap(shown_.at(static_cast<std::size_t>(place)), empty);
 }
 
 void LiveBoard::tell(std::string text) {
@@ -30,9 +37,9 @@ void LiveBoard::close() {
     changed_.notify_all();
 }
 
-LiveBoard::Shown LiveBoard::shown() const {
+LiveBoard::Shown LiveBoard::shown(LivePlace place) const {
     const std::lock_guard lock(mutex_);
-    return shown_;
+    return shown_.at(static_cast<std::size_t>(place));
 }
 
 std::optional<LiveBoard::Text> LiveBoard::text_after(std::uint64_t seen,

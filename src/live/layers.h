@@ -7,9 +7,13 @@
 #include "image/picture.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sunfleck::engine {
+
+/// The layer of the light that is in no light group: no AOV has such a name.
+inline constexpr std::string_view kRestOfLight = "rest of light";
 
 struct LiveLayer {
     std::string name;  // "picture", or an AOV's: "caustic", "error"

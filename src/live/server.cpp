@@ -1,6 +1,8 @@
 // Routes and limits.
 #include "live/server.h"
 
+#include "live/access.h"
+#include "live/tones.h"
 #include "sunfleck/error.h"
 
 #include <fmt/format.h>
@@ -68,6 +70,24 @@ void set_routes(httplib::Server& server, const std::shared_ptr<LiveSite>& site) 
     server.Get("/picture", [site](const httplib::Request& q, httplib::Response& response) {
         site->answer_picture(q, response);
     });
+    server.Get("/file", [site](const httplib::Request& q, httplib::Response& response) {
+        site->answer_file(q, response);
+    });
+    server.Get("/tone", [](const httplib::Request& q, httplib::Response& response) {
+        response.set_content(tone_json(q.get_param_value("name")), "application/json");
+    });
+    server.Post("/look", [site](const httplib::Request& q, httplib::Response& response) {
+        site->answer_look(q, response);
+    });
+    server.Post("/back", [site](const httplib::Request&, httplib::Response& response) {
+        site->answer_back(response);
+    });
+    server.Post("/pause", [site](const httplib::Request& q, httplib::Response& response) {
+        site->answer_pause(q, response);
+    });
+    server.Post("/ends", [site](const httplib::Request& q, httplib::Response& response) {
+        site->answer_ends(q, response);
+    });
     server.Post("/stop", [site](const httplib::Request&, httplib::Response& response) {
         site->end_render();
         response.set_content("The render ends after this pass.\n", "text/plain");
@@ -84,18 +104,21 @@ void keep_for_ever(std::unique_ptr<httplib::Server> server) {
 
 }  // namespace
 
-LiveServer::LiveServer(std::shared_ptr<LiveBoard> board, std::function<void()> stop)
+LiveServer::LiveServer(std::shared_ptr<LiveBoard> board, std::shared_ptr<LiveWishes> wishes,
+                       const std::string& bound, std::function<void()> stop)
     : board_(std::move(board)),
-      site_(std::make_shared<LiveSite>(board_, std::move(stop))),
+      site_(std::make_shared<LiveSite>(board_, std::move(wishes), bound, std::move(stop))),
       workers_(kWorkers),
-      server_(std::make_unique<httplib::Server>()) {
+      server_(std::make_unique<httplib::Server>()),
+      host_(url_host(bound)) {
     server_->new_task_queue = [this] { return new Queue(workers_); };
     set_limits(*server_);
     set_routes(*server_, site_);
-    port_ = server_->bind_to_any_port("127.0.0.1");
+    const std::string address = bound.empty() ? "127.0.0.1" : bound;
+    port_ = server_->bind_to_any_port(address);
     if (port_ <= 0)
-        throw Error({"--view"}, "no port of 127.0.0.1 is free", "render without it",
-                    ErrorCode::machine);
+        throw Error({"--view"}, "no port of " + address + " is free here",
+                    "give --view-host an address of this machine, or none", ErrorCode::machine);
     thread_ = std::thread([this] { server_->listen_after_bind(); });
     while (!server_->is_running()) std::this_thread::sleep_for(kTick);  // or nothing stops it
 }
@@ -110,7 +133,7 @@ LiveServer::~LiveServer() {
 }
 
 std::string LiveServer::url() const {
-    return fmt::format("http://127.0.0.1:{}/?token={}", port_, site_->token());
+    return fmt::format("http://{}:{}/?token={}", host_, port_, site_->token());
 }
 
 }  // namespace sunfleck::engine

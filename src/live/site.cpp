@@ -1,14 +1,12 @@
-// Answers piece by piece, so that a board that is closed ends them.
+// The page, and the stream of texts.
 #include "live/site.h"
 
 #include "live/access.h"
 #include "live/assets.h"
-#include "live/layers.h"
 
 #include <fmt/format.h>
 #include <httplib.h>
 
-#include <algorithm>
 #include <utility>
 
 namespace sunfleck::engine {
@@ -17,7 +15,6 @@ namespace {
 constexpr int kMostWatching = 16;                // viewers that get texts
 constexpr std::chrono::milliseconds kTick(500);  // between looks at whether a viewer is still there
 constexpr int kTicksOfSilence = 20;              // then a line that says nothing keeps it connected
-constexpr std::size_t kPiece = 1U << 16U;        // of a picture
 
 /// Returns an event of a text, which is a line of JSON, with the seconds since it was told.
 std::string event_of(const LiveBoard::Text& text) {
@@ -56,12 +53,17 @@ private:
 
 }  // namespace
 
-LiveSite::LiveSite(std::shared_ptr<LiveBoard> board, std::function<void()> stop)
-    : board_(std::move(board)), stop_(std::move(stop)), token_(new_token()) {}
+LiveSite::LiveSite(std::shared_ptr<LiveBoard> board, std::shared_ptr<LiveWishes> wishes,
+                   std::string bound, std::function<void()> stop)
+    : board_(std::move(board)),
+      wishes_(std::move(wishes)),
+      bound_(std::move(bound)),
+      stop_(std::move(stop)),
+      token_(new_token()) {}
 
 bool LiveSite::may_ask(const httplib::Request& request) const {
     const std::string host = request.get_header_value("Host");
-    return is_own_host(host) && is_own_origin(request.get_header_value("Origin"), host) &&
+    return is_own_host(host, bound_) && is_own_origin(request.get_header_value("Origin"), host) &&
            is_token(request.get_param_value("token"), token_);
 }
 
@@ -78,30 +80,6 @@ void LiveSite::answer_texts(httplib::Response& response) {
             return events.write_next(sink);
         },
         [this](bool) { --watching_; });
-}
-
-void LiveSite::answer_picture(const httplib::Request& request, httplib::Response& response) const {
-    const LiveBoard::Shown shown = board_->shown();
-    response.status = 204;
-    if (!shown.picture) return;
-    const std::vector<LiveLayer> layers = layers_of(*shown.picture);
-    if (layers.empty()) return;
-    const std::string name = request.get_param_value("layer");
-    const auto named = std::find_if(layers.begin(), layers.end(),
-                                    [&](const LiveLayer& layer) { return layer.name == name; });
-    const LiveLayer& layer = named == layers.end() ? layers.front() : *named;
-    response.status = 200;
-    response.set_header("X-Width", std::to_string(shown.picture->width));
-    response.set_header("X-Height", std::to_string(shown.picture->height));
-    response.set_header("X-Layer", layer.name);
-    response.set_header("X-Number", std::to_string(shown.number));
-    const auto bytes = std::make_shared<const std::string>(layer_bytes(layer));
-    response.set_content_provider(
-        bytes->size(), "application/octet-stream",
-        [bytes, board = board_](std::size_t begin, std::size_t length, httplib::DataSink& sink) {
-            return !board->is_closed() &&
-                   sink.write(bytes->data() + begin, std::min(length, kPiece));
-        });
 }
 
 std::string live_page() {

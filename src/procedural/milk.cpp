@@ -7,6 +7,8 @@
 #include "procedural/scene_folder.h"
 #include "procedural/sky.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -85,7 +87,7 @@ void add_glass(SceneFolder& folder, const std::string& drink, std::string_view m
     const FilledGlass glass = filled_glass(milk_glass_curves(), kMilkGlassSegments);
     const Placement place = at({middle[0], middle[1], 0});
     folder.add(drink + "-tumbler", "glass", placed(glass.glass_air, place));
-    folder.text("\nAttributeBegin\nMediumInterface \"" + std::string(medium) + "\" \"\"");
+    folder.text(fmt::format("\nAttributeBegin\nMediumInterface \"{}\" \"\"", medium));
     folder.add(drink + "-tumbler-wall", drink + " wall", placed(glass.liquid_glass, place));
     folder.add(drink + "-tumbler-level", drink + " level", placed(glass.liquid_air, place));
     folder.text("AttributeEnd\n");

@@ -45,6 +45,9 @@ struct RenderHooks {
     std::function<void(const RenderResult&)> snapshot;
     /// Called after each pass, or interval of several ranks, with all passes so far.
     std::function<void(const Film&)> watch;
+    /// Called after each pass of a render by one machine, whose next pass waits for its return.
+    /// Its time does not count. @return whether more passes are to follow.
+    std::function<bool()> goes_on;
     /// Called while the first pass is planned, with a picture of fewer pixels: what light camera
     /// paths alone have found. Not where nothing is learned, nor by several ranks.
     std::function<void(Picture)> preview;

@@ -41,6 +41,7 @@ void RenderLoop::run(const StopSettings& stop, const RenderHooks& hooks) {
         result_.radius_factor = *radius_factor;
         scheduler.reached_target(interval.end);
         scheduler.interval_ended(0, false);
+        if (!scheduler.goes_on()) break;
     }
     scheduler.finish();
 }

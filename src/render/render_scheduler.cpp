@@ -189,6 +189,12 @@ void RenderScheduler::interval_ended(double of_others, bool interrupted) {
     hooks_.save(state_);
 }
 
+bool RenderScheduler::goes_on() {
+    bool more = true;
+    if (hooks_.goes_on) clock_.aside([&] { more = hooks_.goes_on(); });
+    return more;
+}
+
 void RenderScheduler::finish() {
     state_.interrupted = interrupted_ || hooks_.is_interrupted();
     if (hooks_.snapshot && !shown_) clock_.aside([&] { hooks_.snapshot(state_); });

@@ -36,6 +36,9 @@ public:
     /// @param of_others  processor time of all other ranks since the render began.
     void interval_ended(double of_others, bool interrupted);
 
+    /// Returns whether the caller wants more passes. The caller may take time over it.
+    bool goes_on();
+
     /// Writes the last snapshot and checkpoint, unless the last interval did.
     void finish();
 

@@ -157,14 +157,14 @@ TEST_F(Outputs, of_scene_replace_no_file_that_differs) {
 TEST_F(Outputs, hold_the_layers_that_are_asked_for) {
     for (const Words& aov : {Words{"--aovs", "depth"}, Words{"--light-group", "each"}})
         expect_refused({"render", "room.pbrt", "-o", "x.png", aov[0], aov[1]},
-                       aov[0] + ": a .png holds no AOVs; add an output that does");
+                       aov[0] + ": a .png or .jpg holds no AOVs; add an output that does");
     expect_refused({"render", "room.pbrt", "-o", "x.PNG", "--aovs", "depth"}, "holds no AOVs");
     EXPECT_EQ(render({"-o", "x.png", "-o", "x.film", "--passes", "1", "--aovs", "depth"}).code, 0);
 }
 
 TEST_F(Outputs, have_endings_that_are_named) {
-    const std::string text = "unknown output format; end it in .exr, .png or .film";
-    expect_refused({"render", "room.pbrt", "-o", "x.jpg"}, "x.jpg: " + text);
+    const std::string text = "unknown output format; end it in .film, .exr, .png, .jpg or .jpeg";
+    expect_refused({"render", "room.pbrt", "-o", "x.tif"}, "x.tif: " + text);
     expect_refused({"merge", "x.film", "-o", "x"}, "x: " + text);
 }
 

@@ -1,6 +1,5 @@
 // `render --view`: its address, its page, and a render that does not mind being watched.
-#include "app/program.h"
-#include "live/http.h"
+#include "app/view_support.h"
 
 namespace sunfleck::engine {
 namespace {
@@ -10,34 +9,15 @@ using testing_support::ask;
 using testing_support::body_of;
 using testing_support::Connection;
 using testing_support::Process;
-using testing_support::ProgramTest;
 using testing_support::Ran;
 using testing_support::read_text;
 using testing_support::request;
 using testing_support::status_of;
+using testing_support::ViewTest;
 using testing_support::Words;
 using testing_support::operator+;
 
-class View : public ProgramTest {
-protected:
-    static Words words(const Words& more) {
-        Words all{"render", "room.pbrt", "--photons-per-pass", "2000", "--resolution", "32x32"};
-        all.insert(all.end(), more.begin(), more.end());
-        return all;
-    }
-
-    /// The address that a render under way has said, on a line of its own.
-    Address address() const {
-        using namespace std::chrono_literals;
-        for (int i = 0; i < 6000; ++i, std::this_thread::sleep_for(10ms)) {
-            std::istringstream lines(read_text(path("stderr~")));
-            for (std::string line; std::getline(lines, line);)
-                if (line.starts_with("http://") && !lines.eof()) return Address(line);
-        }
-        ADD_FAILURE() << "no address";
-        return Address("");
-    }
-};
+class View : public ViewTest {};
 
 TEST_F(View, shows_a_render_until_it_ends_and_leaves_its_bytes_alone) {
     ASSERT_EQ(run(words({"--passes", "12", "-o", "plain.exr", "--quiet"})).code, 0);
@@ -107,9 +87,10 @@ TEST_F(View, shows_a_finished_picture_with_its_layers_until_the_user_ends_it) {
 }
 
 TEST_F(View, is_needed_by_what_goes_with_it) {
-    for (const char* flag : {"--view-open", "--view-stay"}) {
-        const Ran ran = render({flag});
-        EXPECT_EQ(ran.code, 2) << flag;
+    for (const Words& flag : {Words{"--view-open"}, Words{"--view-stay"},
+                              Words{"--view-host", "::1"}, Words{"--view-against", "x.exr"}}) {
+        const Ran ran = render(flag);
+        EXPECT_EQ(ran.code, 2) << flag[0];
         EXPECT_NE(ran.err.find("--view"), std::string::npos) << ran.err;
     }
 }

@@ -3,6 +3,7 @@
 //   node page_test.mjs page CHROMIUM PAGE.html  exit code 1 at the first thing that is not right
 import assert from "node:assert/strict";
 import { writeFileSync } from "node:fs";
+import { everyControlHasAName, testPage, withBrowser } from "./harness.mjs";
 
 const WIDTH = 64;
 const HEIGHT = 48;
@@ -212,53 +213,19 @@ const TESTS = {
     assert.equal(await page.isVisible("#help"), false);
   },
 
-  async "every control has a name"(page) {
-    const nameless = await page.$$eval("button, select, input, canvas[role], [role=slider]", (all) =>
-      all.filter((e) => !(e.getAttribute("aria-label") || e.textContent.trim() || e.labels?.length)).map((e) => e.outerHTML));
-    assert.deepEqual(nameless, []);
-  },
+  "every control has a name": everyControlHasAName,
 };
 
-async function testAt(browser, width, colorScheme, url) {
-  for (const [name, test] of Object.entries(TESTS)) {
-    const context = await browser.newContext({ viewport: { width, height: 800 }, colorScheme });
-    await context.grantPermissions(["clipboard-read", "clipboard-write"]);
-    const page = await context.newPage();
-    const faults = [];
-    page.on("console", (message) => faults.push(`console: ${message.text()}`));
-    page.on("pageerror", (error) => faults.push(`error: ${error.message}`));
-    page.on("request", (request) => {
-      if (request.url() !== url && !request.url().startsWith("data:")) faults.push(`request: ${request.url()}`);
-    });
-    await page.goto(url);
-    try {
-      await test(page);
-      for (const layout of ["split", "flicker", "all"]) {
-        await page.click(`[data-layout=${layout}]`);
-        const overflow = await page.evaluate(() => document.documentElement.scrollWidth - innerWidth);
-        assert.ok(overflow <= 0, `the page is ${overflow} pixels too wide`);
-      }
-      assert.deepEqual(faults, []);
-    } catch (error) {
-      error.message = `${name}, ${width} pixels wide: ${error.message}`;
-      throw error;
-    }
-    await context.close();
-    console.log(`ok: ${name}, ${width} pixels wide`);
-  }
-}
-
-async function testPage(chromiumPath, file) {
-  const { chromium } = await import("playwright-core");
-  const browser = await chromium.launch({ executablePath: chromiumPath });
-  try {
-    await testAt(browser, 1400, "light", `file://${file}`);
-    await testAt(browser, 360, "dark", `file://${file}`);
-  } finally {
-    await browser.close();
-  }
+async function testCompare(chromiumPath, file) {
+  const url = `file://${file}`;
+  const layouts = ["split", "flicker", "all"].map((layout) => `[data-layout=${layout}]`);
+  const page = { name: "compare", url, tests: TESTS, isOwn: (asked) => asked === url, layouts };
+  await withBrowser(chromiumPath, async (browser) => {
+    await testPage(browser, page, 1400, "light");
+    await testPage(browser, page, 360, "dark");
+  });
 }
 
 const [, , task, ...rest] = process.argv;
 if (task === "known") writeKnown();
-else await testPage(...rest);
+else await testCompare(...rest);

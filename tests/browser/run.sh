@@ -34,11 +34,10 @@ for sampler in uniform adaptive; do
             --snapshots "renders/$sampler/seed-$seed"
     done
 done
-cp "$here/page_test.mjs" .
+cp "$here"/*.mjs .
 node page_test.mjs known
 "$program" compare renders/reference.exr renders/uniform renders/adaptive known/bright.pfm \
     --report page.html >/dev/null
 node page_test.mjs page "$(command -v chromium)" "$PWD/page.html"
 
-cp "$here/live_test.mjs" .
 node live_test.mjs "$(command -v chromium)" "$program" renders/cornell.pbrt

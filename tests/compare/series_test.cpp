@@ -49,6 +49,16 @@ TEST_F(Series, of_one_seed_is_a_folder_in_the_order_of_passes) {
     EXPECT_EQ(seeds[0][2].picture, path("a.exr"));
 }
 
+/// A render puts it there, without statistics. A picture of that name that has some is one as any.
+TEST_F(Series, leaves_out_the_newest_picture_once_more) {
+    snapshot("passes-000001", 1, 1);
+    write("latest.exr", "");
+    write("latest.png", "");
+    EXPECT_EQ(read_series(path("")).at(0).size(), 1U);
+    snapshot("latest", 2, 2);
+    EXPECT_EQ(read_series(path("")).at(0).size(), 2U);
+}
+
 TEST_F(Series, of_several_seeds_are_subfolders) {
     snapshot("seed2/x", 1, 1);
     snapshot("seed1/x", 1, 2);

@@ -71,6 +71,18 @@ TEST(Relight, of_a_film_keeps_its_picture_when_nothing_changes) {
         EXPECT_EQ(values(after.picture, channel), values(before, channel)) << channel;
 }
 
+TEST(Relight, leaves_what_is_in_no_group) {
+    EXPECT_EQ(light_groups_of(two_lights()), (std::vector<std::string>{"lamp", "sun"}));
+    const Picture rest = rest_of_light(two_lights());
+    ASSERT_EQ(rest.channels.size(), 3U);
+    EXPECT_EQ(values(rest, "R"), (std::vector<float>{4, 1}));
+    EXPECT_EQ(values(rest, "B"), (std::vector<float>{24, 3}));
+    Picture plain = two_lights();
+    plain.metadata.clear();
+    EXPECT_TRUE(light_groups_of(plain).empty());
+    EXPECT_EQ(values(rest_of_light(plain), "R"), (std::vector<float>{10, 4}));
+}
+
 TEST(Relight, refuses_what_is_not_there) {
     const auto fault = [](const Picture& picture, const std::vector<LightGroupFactor>& factors) {
         try {

@@ -41,6 +41,7 @@ std::string example_of(const RenderFlag& flag) {
                                                         {"A:B", "0:16"},
                                                         {"adaptive|THETA", "adaptive"},
                                                         {"STOPS|auto", "auto"},
+                                                        {"all|NAME,...", "all"},
                                                         {"X", "0.3"},
                                                         {"N", "7"}};
     return by_form.at(flag.value.form);

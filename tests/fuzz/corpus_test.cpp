@@ -12,8 +12,10 @@ using FuzzTarget = int(const std::uint8_t* data, std::size_t size);
 extern "C" {
 FuzzTarget fuzz_bsdf;
 FuzzTarget fuzz_checkpoint;
+FuzzTarget fuzz_exr;
 FuzzTarget fuzz_gltf;
 FuzzTarget fuzz_image;
+FuzzTarget fuzz_live;
 FuzzTarget fuzz_nvdb;
 FuzzTarget fuzz_obj;
 FuzzTarget fuzz_pbrt;
@@ -60,7 +62,8 @@ TEST_P(Corpora, end_in_what_they_are_or_in_one_line) {
 INSTANTIATE_TEST_SUITE_P(Of, Corpora,
                          testing::Values(Corpus{"bsdf", fuzz_bsdf},
                                          Corpus{"checkpoint", fuzz_checkpoint},
-                                         Corpus{"gltf", fuzz_gltf}, Corpus{"image", fuzz_image},
+                                         Corpus{"exr", fuzz_exr}, Corpus{"gltf", fuzz_gltf},
+                                         Corpus{"image", fuzz_image}, Corpus{"live", fuzz_live},
                                          Corpus{"nvdb", fuzz_nvdb}, Corpus{"obj", fuzz_obj},
                                          Corpus{"pbrt", fuzz_pbrt}, Corpus{"ply", fuzz_ply},
                                          Corpus{"spd", fuzz_spd}, Corpus{"stl", fuzz_stl}),

@@ -44,10 +44,20 @@ TEST_F(Png, light_becomes_the_levels_of_srgb) {
 }
 
 TEST_F(Png, exposure_is_in_stops) {
-    write_png(path("a.png"), grey({0.25F}), 2);
-    write_png(path("b.png"), grey({1.0F}), -1);
+    write_png(path("a.png"), grey({0.25F}), {.exposure = 2});
+    write_png(path("b.png"), grey({1.0F}), {.exposure = -1});
     EXPECT_EQ(read_png(path("a.png")).values[0], 255);
     EXPECT_EQ(read_png(path("b.png")).values[0], 188);
+}
+
+/// Of 16 bits each level is a 65535th, not a level of 8 bits twice.
+TEST_F(Png, sixteen_bits_are_levels_of_srgb_too) {
+    write_png(path("a.png"), grey({0, 1, 0.18F, 1e-5F, 2}), {}, 16);
+    const PngImage image = read_png(path("a.png"));
+    EXPECT_EQ(image.bits, 16);
+    EXPECT_EQ(levels(image, 1), (std::vector<std::uint16_t>{0, 65535, 30235, 8, 65535}));
+    const std::string bytes = read_file(path("a.png"));
+    EXPECT_NE(bytes.find("sRGB"), std::string::npos) << "it says its colour space";
 }
 
 TEST_F(Png, pixels_and_channels_stay_in_place) {

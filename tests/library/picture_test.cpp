@@ -5,6 +5,9 @@
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <tuple>
 
 namespace sunfleck {
 namespace {
@@ -27,6 +30,28 @@ TEST(Picture, keeps_its_channels_when_it_is_written_and_read) {
     std::filesystem::remove(path);
     EXPECT_THROW(Picture::load(path.string()), Error);
     EXPECT_THROW(picture.save("picture.gif"), Error);
+}
+
+TEST(Picture, is_saved_as_the_settings_of_its_renderer_say) {
+    const auto folder = std::filesystem::path(testing::TempDir());
+    const auto saved = [&](const std::string& ending, const Settings& settings) {
+        const std::string path = (folder / ("library_look" + ending)).string();
+        Renderer renderer(testing_support::ball(), settings);
+        renderer.step(1);
+        renderer.picture().save(path);
+        std::ifstream file(path, std::ios::binary);
+        const std::string bytes(std::istreambuf_iterator<char>(file), {});
+        std::filesystem::remove(path);
+        return bytes;
+    };
+    const Settings plain = testing_support::quick_settings();
+    EXPECT_EQ(saved(".png", plain), saved(".png", plain));
+    for (const auto& [name, value, ending] : {std::tuple("tone", "agx", ".png"),
+                                              {"png-bits", "16", ".png"},
+                                              {"jpeg-quality", "30", ".jpg"},
+                                              {"exr-half", "picture", ".exr"}})
+        EXPECT_NE(saved(ending, plain), saved(ending, Settings(plain).set(name, value))) << name;
+    EXPECT_THROW(saved(".exr", Settings(plain).set("exr-half", "nothing")), Error);
 }
 
 TEST(Picture, is_not_saved_with_an_exposure_that_is_none) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <arpa/inet.h>
-#include <gtest/gtest.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -33,6 +32,8 @@ public:
     void send(const std::string& bytes) const {
         ::send(socket_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     }
+    /// Says that nothing more will be sent.
+    void finish() const { ::shutdown(socket_, SHUT_WR); }
     /// Returns what comes next, at most so much; nothing at the end.
     std::string receive(std::size_t most = 1U << 16U) const {
         std::string bytes(most, '\0');

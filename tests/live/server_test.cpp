@@ -33,14 +33,15 @@ protected:
 
     std::atomic<int> stops_ = 0;
     std::shared_ptr<LiveBoard> board_ = std::make_shared<LiveBoard>();
-    LiveServer server_{board_, [this] { ++stops_; }};
+    std::shared_ptr<LiveWishes> wishes_ = std::make_shared<LiveWishes>();
+    LiveServer server_{board_, wishes_, "", [this] { ++stops_; }};
     Address address_{server_.url()};
 };
 
 TEST_F(LiveServers, have_an_address_of_this_machine_with_a_token_of_their_own) {
     EXPECT_GT(address_.port, 0) << server_.url();
     EXPECT_EQ(address_.token.size(), 32U);
-    const LiveServer other(std::make_shared<LiveBoard>(), [] {});
+    const LiveServer other(std::make_shared<LiveBoard>(), wishes_, "", [] {});
     EXPECT_NE(Address(other.url()).token, address_.token);
 }
 
@@ -156,7 +157,7 @@ TEST_F(LiveServers, end_whatever_viewers_do) {
     Picture large{2000, 2000, {}, {}};
     for (const char* name : {"R", "G", "B"}) large.add(name);
     board_->show(std::move(large));
-    auto server = std::make_unique<LiveServer>(board_, [] {});
+    auto server = std::make_unique<LiveServer>(board_, wishes_, "", [] {});
     const Address at(server->url());
     const Connection reader(at.port);
     reader.send(request("GET", "/picture?token=" + at.token));

@@ -3,11 +3,13 @@
 #include "core/stopwatch.h"
 #include "film/film_picture.h"
 #include "render/progressive.h"
+#include "render/render_loop.h"
 #include "render/trial_picture.h"
 #include "support/renders.h"
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <numeric>
 #include <thread>
 
@@ -79,6 +81,39 @@ TEST(Watched, renders_show_a_first_look_and_then_each_pass) {
     EXPECT_EQ(passes, (std::vector<std::uint64_t>{1, 2}));
     ASSERT_EQ(looks.size(), 1U);
     EXPECT_NEAR(mean_of(looks[0]) / mean_of(film_picture(result.film)), 1, 0.06);
+}
+
+/// A caller holds the render up between passes, ends a run, and lets it go on.
+TEST(Watched, renders_wait_for_who_steers_them_and_have_the_same_film) {
+    const Scene scene = floor_under_a_lamp();
+    RenderSettings settings;
+    settings.photon.paths_per_pass = 1000;
+    StopSettings stop;
+    stop.end_pass = 6;
+    const RenderResult alone = render({scene, settings, stop}, {});
+    RenderLoop loop({scene, settings, stop}, std::nullopt);
+    std::vector<std::uint64_t> passes;
+    bool is_last = false;
+    RenderHooks hooks;
+    hooks.goes_on = [&] {
+        passes.push_back(loop.result().film.pass_count());
+        std::this_thread::sleep_for(20ms);
+        is_last = passes.size() == 2;
+        return !is_last;
+    };
+    const Stopwatch wall;
+    loop.run(stop, hooks);
+    EXPECT_EQ(passes, (std::vector<std::uint64_t>{1, 2}));
+    EXPECT_FALSE(loop.result().interrupted);
+    EXPECT_GE(wall.seconds() - loop.result().total_seconds, 0.04) << "that time does not count";
+    std::atomic<bool> cancelled = true;  // within a pass: it leaves nothing
+    RenderHooks cut;
+    cut.cancelled = &cancelled;
+    loop.run(stop, cut);
+    EXPECT_EQ(loop.result().film.pass_count(), 2U);
+    loop.run(stop, hooks);
+    EXPECT_EQ(loop.result().film.pass_count(), 6U);
+    EXPECT_EQ(film_picture(loop.result().film), film_picture(alone.film));
 }
 
 /// One path in 3 x 3 pixels, 24 of them a side: 64 paths have a noise of 8%.
