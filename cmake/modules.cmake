@@ -67,6 +67,7 @@ sunfleck_module(import_part FOLDER import/part
   NEEDS module_scene module_import_obj module_import_stl)
 sunfleck_module(export NEEDS module_scene)
 sunfleck_module(camera_paths NEEDS module_scene module_visible_points module_random_numbers)
+sunfleck_module(mattes NEEDS module_scene module_random_numbers)
 sunfleck_module(photon ALONE light_strata NEEDS module_scene module_visible_points module_chains)
 sunfleck_module(estimate NEEDS module_scene module_visible_points)
 sunfleck_module(film NEEDS module_image module_visible_points nlohmann_json::nlohmann_json)
@@ -118,7 +119,7 @@ file(GLOB live_scripts CONFIGURE_DEPENDS ${live}/*.js)
 string(REPLACE ";" "," page_joined "${common_scripts};${page_scripts}")
 string(REPLACE ";" "," live_joined "${common_scripts};${live_scripts}")
 sunfleck_embed(report
-  "kPage=${page}/page.html|kPageStyle=${common}/base.css,${page}/page.css|kPageScript=${page_joined}|kChartLibrary=${SUNFLECK_CHART_JS}"
+  "kBaseStyle=${common}/base.css|kPage=${page}/page.html|kPageStyle=${common}/base.css,${page}/page.css|kPageScript=${page_joined}|kChartLibrary=${SUNFLECK_CHART_JS}"
   DEPENDS ${page}/page.html ${page}/page.css ${common}/base.css ${common_scripts} ${page_scripts}
     ${SUNFLECK_CHART_JS})
 sunfleck_embed(live

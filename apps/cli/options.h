@@ -6,6 +6,7 @@
 #include "film/relight.h"
 #include "flags/render_request.h"
 #include "import/scene_request.h"
+#include "mattes/mattes.h"
 
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ struct RenderOptions {
     RenderRequest request;
     std::string stats;      // file, or empty
     std::string snapshots;  // folder, or empty
+    MatteSettings mattes;   // of .exr; no kinds: none
     std::size_t threads = 0;
     std::optional<std::uint64_t> memory_limit;  // bytes; absent: what the machine leaves
     std::string checkpoint;                     // file to write, or empty

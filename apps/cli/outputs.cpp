@@ -38,7 +38,8 @@ OutputClaims::OutputClaims(const std::vector<std::string>& files) {
 WrittenOutputs write_outputs(const std::vector<std::string>& outputs, const Film& film,
                              const OutputOptions& options, DeferredError& faults) {
     WrittenOutputs written;
-    const Picture picture = film_picture(film, {options.extrapolate});
+    Picture picture = film_picture(film, {options.extrapolate});
+    if (options.mattes != nullptr) add_mattes(*options.mattes, picture);
     const PictureFileOptions files = with_exposure(options.files, options.exposure, picture);
     for (const std::string& path : outputs) {
         const bool is_written = faults.attempt([&] {

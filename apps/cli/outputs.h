@@ -6,6 +6,7 @@
 #include "image/atomic_file.h"
 #include "image/exposure.h"
 #include "image/picture_file.h"
+#include "mattes/mattes.h"
 
 #include <list>
 #include <string>
@@ -41,6 +42,7 @@ struct OutputOptions {
     Exposure exposure;         // for formats of limited range alone
     bool extrapolate = false;  // pictures minus their bias
     PictureFileOptions files{};
+    const Mattes* mattes = nullptr;  // to add to an .exr, if there are any
 };
 
 struct WrittenOutputs {

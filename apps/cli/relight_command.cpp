@@ -4,6 +4,7 @@
 #include "apps/cli/outputs.h"
 #include "apps/cli/picture_flags.h"
 #include "image/exr.h"
+#include "image/id_layers.h"
 #include "image/picture_file.h"
 
 #include <fmt/format.h>
@@ -18,6 +19,7 @@ int run_relight(const RelightOptions& options) {
     const Relit relit_now = relit(read_exr(options.picture), options.factors, options.picture);
     DeferredError faults(LogLevel::quiet);  // thrown when all is tried
     check_half_layers(options.files.exr, relit_now.picture);
+    check_ids_kept(relit_now.picture, options.files.exr);
     const PictureFileOptions files =
         with_exposure(options.files, options.exposure, relit_now.picture);
     for (const std::string& path : options.outputs)

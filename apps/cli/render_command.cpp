@@ -133,6 +133,21 @@ RenderHooks hooks_of(const RenderSetup& setup, ProgressLine& line, const Watcher
     return hooks;
 }
 
+/// Returns the mattes that are asked for.
+std::optional<Mattes> mattes_of(const RenderSetup& setup) {
+    if (setup.options.mattes.kinds.empty()) return {};
+    return make_mattes(setup.scene, setup.options.mattes);
+}
+
+/// Tells of pixels whose mattes are not complete.
+void tell_crowded(const std::optional<Mattes>& mattes, LogLevel log) {
+    if (!mattes || mattes->crowded == 0) return;
+    print_lines({fmt::format("mattes: {} pixels show more than {} objects or materials; those of "
+                             "the least coverage are left out there",
+                             mattes->crowded, kMatteIds)},
+                log);
+}
+
 /// Pictures, remarks, statistics, and what each picture is.
 /// @param line  is ended when all pictures are written: a terminal may hold it up.
 void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& facts,
@@ -141,10 +156,15 @@ void write_all(const RenderSetup& setup, const RenderResult& result, RunFacts& f
     DeferredError faults(LogLevel::quiet);  // thrown when all is tried
     InterruptGuard::set_answer(answer_while(RenderStep::writing, options));
     WrittenOutputs written;
+    std::optional<Mattes> mattes;
     InterruptGuard::finish_first([&] {
-        written = write_outputs(setup.outputs, result.film, output_options(options), faults);
+        faults.attempt([&] { mattes = mattes_of(setup); });
+        OutputOptions output = output_options(options);
+        output.mattes = mattes ? &*mattes : nullptr;
+        written = write_outputs(setup.outputs, result.film, output, faults);
     });
     line.reset();
+    tell_crowded(mattes, options.log);
     const std::vector<std::string> remarks = remarks_after(setup.job, result);
     print_lines(remarks, options.log);
     facts.warnings.insert(facts.warnings.end(), remarks.begin(), remarks.end());

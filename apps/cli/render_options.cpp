@@ -2,6 +2,7 @@
 #include "apps/cli/render_options.h"
 
 #include "apps/cli/flag_rows.h"
+#include "apps/cli/matte_flags.h"
 #include "apps/cli/picture_flags.h"
 #include "image/picture_file.h"
 #include "sunfleck/error.h"
@@ -144,6 +145,7 @@ void add_render_flags(CLI::App& app, RenderOptions& o, RenderFlags& flags) {
     add_file_flags(app, o);
     add_request_flags(app, o.scene_request);
     for (const RenderFlag& row : render_flags()) add_flag(app, row, flags);
+    add_matte_flags(app, o);
     add_view_flags(app, o);
     add_run_flags(app, o);
 }
@@ -151,6 +153,7 @@ void add_render_flags(CLI::App& app, RenderOptions& o, RenderFlags& flags) {
 void finish_render(const CLI::App& given, const RenderFlags& flags, RenderOptions& o) {
     o.request = flags.finish();
     check_aovs_fit(given, o);
+    check_mattes(o);
     check_picture_flags(given, picture_files(o), o.view);
     check_half_layers(o.request.files.exr, possible_layers(o.request));
 }

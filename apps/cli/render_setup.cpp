@@ -64,10 +64,16 @@ std::uint64_t bytes_of_page(const FilmKey& key) {
     return 2 * channels * sizeof(float) * key.pixels();
 }
 
+/// Returns what mattes take: their channels, and those in the picture that is written.
+std::uint64_t bytes_of_mattes(const RenderOptions& options, const FilmKey& key) {
+    return 2 * options.mattes.kinds.size() * 2 * kMatteIds * sizeof(float) * key.pixels();
+}
+
 /// @throws Error if the render, its scene being in memory, would need more than there is.
 void check_memory(const RenderJob& job, const RenderOptions& options) {
     const std::uint64_t of_page = options.view ? bytes_of_page(key_of(job)) : 0;
-    const std::uint64_t needed = memory_in_use() + render_bytes(job).usual + of_page;
+    const std::uint64_t needed =
+        memory_in_use() + render_bytes(job).usual + of_page + bytes_of_mattes(options, key_of(job));
     const auto& limit = options.memory_limit;
     const MemoryRoom room = limit ? MemoryRoom{*limit, "--memory-limit"} : memory_room();
     if (needed <= room.bytes) return;
@@ -93,6 +99,7 @@ RenderOptions options_of(const RenderOptions& options, const Ranks& ranks) {
     for (std::string* file : {&mine.stats, &mine.snapshots, &mine.checkpoint, &mine.resume})
         file->clear();
     mine.outputs.clear();
+    mine.mattes.kinds.clear();
     mine.log = LogLevel::quiet;
     return mine;
 }

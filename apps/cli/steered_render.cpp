@@ -5,9 +5,9 @@
 #include "apps/cli/look_aside.h"
 #include "core/stopwatch.h"
 #include "render/render_loop.h"
-#include "sunfleck/error.h"
 
 #include <chrono>
+#include <exception>
 #include <thread>
 #include <utility>
 
@@ -73,7 +73,7 @@ void render_look(const RenderSetup& setup, const Look& look, LiveView& view) {
             view.sketch_look(aside.sketch(view.exposure()));
         else
             aside.run(hooks_of_look(view, abandoned));
-    } catch (const Error& fault) {
+    } catch (const std::exception& fault) {  // too little memory, too: the render goes on
         view.begin_look({});
         view.fail_look(fault.what());
     }

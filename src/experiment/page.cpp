@@ -7,6 +7,7 @@
 #include "image/atomic_file.h"
 #include "image/exr.h"
 #include "image/png.h"
+#include "report/assets.h"
 #include "report/page.h"
 
 #include <fmt/format.h>
@@ -15,26 +16,28 @@
 #include <cmath>
 #include <filesystem>
 #include <set>
+#include <string_view>
 
 namespace sunfleck::engine {
 namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kStyle = R"(
-:root { color-scheme: light dark; }
-body { font: 16px/1.5 system-ui, sans-serif; max-width: 76rem; margin: 0 auto; padding: 1rem; }
-h2 { margin-top: 3rem; border-top: 1px solid #8886; padding-top: 1rem; }
+/// Beside the look of all pages.
+constexpr std::string_view kStyle = R"(
+body { max-width: 76rem; margin: 0 auto; padding: 1rem; }
+a { color: var(--accent); }
+h2 { margin-top: 3rem; border-top: 1px solid var(--line); padding-top: 1rem; }
 nav { display: flex; flex-wrap: wrap; gap: 0 .8em; }
-blockquote { border-left: 4px solid #e69f00; margin: 1em 0; padding: .1em 1em; }
+blockquote { border-left: 4px solid var(--accent); margin: 1em 0; padding: .1em 1em; }
 .wide { overflow-x: auto; }
 table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
 .caption { font-weight: 600; font-size: .85rem; margin-bottom: .3em; }
-th, td { padding: .25em .7em; border-bottom: 1px solid #8884; text-align: left; }
+th, td { padding: .25em .7em; border-bottom: 1px solid var(--line); text-align: left; }
 th.number, td.number { text-align: right; } td:first-child { white-space: nowrap; }
 .row { display: grid; grid-template-columns: repeat(auto-fit, minmax(150px, 1fr)); gap: .6rem; }
 figure { margin: 0 0 1rem; } figure img { width: 100%; }
-figcaption { font-size: .8rem; }
+figcaption { font-size: .8rem; color: var(--quiet); }
 svg { max-width: 100%; height: auto; }
 )";
 
@@ -153,9 +156,10 @@ void write_results(const Results& results, const std::vector<FinishedFigure>& fi
     std::string html = fmt::format(
         "<!doctype html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">"
         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">"
-        "<title>Robust Adaptive Photon Tracing, reproduced</title><style>{}</style>"
+        "<meta name=\"color-scheme\" content=\"light dark\">"
+        "<title>Robust Adaptive Photon Tracing, reproduced</title><style>{}{}</style>"
         "</head><body>\n",
-        kStyle);
+        kBaseStyle, kStyle);
     html += intro_html(results, finished);
     for (const FinishedFigure& f : finished) html += f.html;
     write_text(fs::path(results.settings().folder) / "index.html", html + "</body></html>\n");

@@ -2,6 +2,7 @@
 #include "film/relight.h"
 
 #include "film/film_picture.h"
+#include "image/id_layers.h"
 #include "sunfleck/error.h"
 
 #include <algorithm>
@@ -40,12 +41,14 @@ void apply(const LightGroupFactor& factor, Picture& picture, const std::string& 
 }
 
 /// Returns whether the channel stays valid when lights change.
-bool stays(const std::string& channel, const std::vector<std::string>& lights) {
+bool stays(const Picture& picture, const std::string& channel,
+           const std::vector<std::string>& lights) {
     constexpr std::array<std::string_view, 3> kFeatures = {"albedo", "normal", "depth"};
     const std::size_t dot = channel.rfind('.');
     if (dot == std::string::npos) return true;  // R, G, B
     const std::string group = channel.substr(0, dot);
-    return std::find(lights.begin(), lights.end(), group) != lights.end() ||
+    return holds_ids(picture, group) ||
+           std::find(lights.begin(), lights.end(), group) != lights.end() ||
            std::find(kFeatures.begin(), kFeatures.end(), group) != kFeatures.end();
 }
 
@@ -77,7 +80,7 @@ Relit relit(const Picture& picture, const std::vector<LightGroupFactor>& factors
     }
     std::set<std::string> left_out;
     std::erase_if(result.picture.channels, [&](const Channel& channel) {
-        if (stays(channel.name, lights)) return false;
+        if (stays(picture, channel.name, lights)) return false;
         left_out.insert(channel.name.substr(0, channel.name.rfind('.')));
         return true;
     });

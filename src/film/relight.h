@@ -21,8 +21,8 @@ struct Relit {
 };
 
 /// Returns RGB and the light groups with new brightness, and the feature AOVs (albedo, normal,
-/// depth) unchanged. All other AOVs are left out, because they contain all lights. The bias
-/// subtracted from `extrapolated` pictures is unchanged.
+/// depth) and mattes unchanged. All other AOVs are left out, because they contain all lights. The
+/// bias subtracted from `extrapolated` pictures is unchanged.
 /// @param name  of the picture, for errors.
 /// @throws Error  for a group that the picture does not have, or that is named twice.
 Relit relit(const Picture& picture, const std::vector<LightGroupFactor>& factors,

@@ -4,6 +4,7 @@
 #include "core/machine_fault.h"
 #include "image/atomic_file.h"
 #include "image/exr_header.h"
+#include "image/id_layers.h"
 
 #include <OpenEXR/ImfFrameBuffer.h>
 #include <OpenEXR/ImfIO.h>
@@ -103,7 +104,7 @@ class Slices {
 public:
     void add(const ExrLayer& layer, int width, const ExrOptions& options) {
         for (const Channel* channel : layer.channels) {
-            if (is_half(layer.name, options)) {
+            if (is_half(layer, options)) {
                 halves_.push_back(to_half(channel->values));
                 buffer_.insert(channel->name, slice(Imf::HALF, halves_.back().data(), width));
             } else {
@@ -174,6 +175,7 @@ void check_complete(const std::string& path, const AtomicFile& file, bool has_pa
 }  // namespace
 
 void write_exr(const std::string& path, const Picture& picture, const ExrOptions& options) {
+    check_ids_kept(picture, options);
     AtomicFile file(path);
     FileStream stream(file, path);
     write_channels(stream, picture, options);
@@ -187,6 +189,7 @@ void check_exr_date() {
 }
 
 std::string exr_bytes(const Picture& picture, const ExrOptions& options) {
+    check_ids_kept(picture, options);
     MemoryStream stream;
     write_channels(stream, picture, options);
     return stream.take();

@@ -17,7 +17,8 @@ namespace sunfleck::engine {
 /// Writes all channels and the metadata atomically; the same input gives the same bytes. In 16-bit
 /// floats, finite values beyond 65504 are clamped to +-65504.
 /// @param picture  at least one pixel and one channel; channel names are distinct.
-/// @throws Error  if the file cannot be written, or as check_exr_date() does.
+/// @throws Error  if the file cannot be written, as check_exr_date() does, or for a compression
+/// that would change IDs (id_layers.h). These have 32-bit floats in any case.
 void write_exr(const std::string& path, const Picture& picture, const ExrOptions& options = {});
 
 /// Returns the bytes of the file that write_exr() writes.

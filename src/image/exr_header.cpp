@@ -1,6 +1,7 @@
 // Attributes of OpenEXR files, in the library's types.
 #include "image/exr_header.h"
 
+#include "image/id_layers.h"
 #include "sunfleck/error.h"
 
 #include <OpenEXR/ImfChannelList.h>
@@ -62,15 +63,17 @@ std::vector<ExrLayer> exr_layers(const Picture& picture) {
         const std::string name = exr_layer(channel.name);
         auto layer = std::find_if(layers.begin(), layers.end(),
                                   [&](const ExrLayer& known) { return known.name == name; });
-        if (layer == layers.end()) layer = layers.insert(layer, {name, {}});
+        if (layer == layers.end())
+            layer = layers.insert(layer, {name, {}, holds_ids(picture, name)});
         layer->channels.push_back(&channel);
     }
     return layers;
 }
 
-bool is_half(const std::string& layer, const ExrOptions& options) {
+bool is_half(const ExrLayer& layer, const ExrOptions& options) {
     const std::vector<std::string>& some = options.half_layers;
-    return options.half || std::find(some.begin(), some.end(), layer) != some.end();
+    return !layer.holds_ids &&
+           (options.half || std::find(some.begin(), some.end(), layer.name) != some.end());
 }
 
 Imf::Header plain_exr_header(const Picture& picture, const ExrOptions& options) {
@@ -81,7 +84,7 @@ Imf::Header plain_exr_header(const Picture& picture, const ExrOptions& options) 
 }
 
 void insert_channels(Imf::Header& header, const ExrLayer& layer, const ExrOptions& options) {
-    const Imf::PixelType type = is_half(layer.name, options) ? Imf::HALF : Imf::FLOAT;
+    const Imf::PixelType type = is_half(layer, options) ? Imf::HALF : Imf::FLOAT;
     for (const Channel* channel : layer.channels)
         header.channels().insert(channel->name, Imf::Channel(type));
 }

@@ -16,12 +16,14 @@ namespace sunfleck::engine {
 struct ExrLayer {
     std::string name;
     std::vector<const Channel*> channels;
+    bool holds_ids = false;  // id_layers.h
 };
 
 /// Returns the layers in the order of their first channels; they point into the picture.
 std::vector<ExrLayer> exr_layers(const Picture& picture);
 
-bool is_half(const std::string& layer, const ExrOptions& options);
+/// Returns whether a layer has 16-bit floats. IDs never have them.
+bool is_half(const ExrLayer& layer, const ExrOptions& options);
 
 /// Returns a header without channels or metadata: size, shape of pixels, colour space, compression.
 Imf::Header plain_exr_header(const Picture& picture, const ExrOptions& options);

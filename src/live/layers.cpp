@@ -1,6 +1,9 @@
 // Channels by the name before their last dot.
 #include "live/layers.h"
 
+#include "image/exr_options.h"
+#include "image/id_layers.h"
+
 #include <algorithm>
 #include <bit>
 #include <cstdint>
@@ -8,11 +11,6 @@
 
 namespace sunfleck::engine {
 namespace {
-
-std::string layer_name(const std::string& channel) {
-    const std::size_t dot = channel.rfind('.');
-    return dot == std::string::npos ? "picture" : channel.substr(0, dot);
-}
 
 /// Returns the place of a channel in its layer; npos of what cannot be shown, as transparency.
 std::size_t order_of(const Channel& channel) {
@@ -33,8 +31,8 @@ std::uint16_t upper_half(float value) {
 std::vector<LiveLayer> layers_of(const Picture& picture) {
     std::vector<LiveLayer> layers;
     for (const Channel& channel : picture.channels) {
-        if (order_of(channel) == std::string_view::npos) continue;
-        std::string name = layer_name(channel.name);
+        std::string name = exr_layer(channel.name);
+        if (order_of(channel) == std::string_view::npos || holds_ids(picture, name)) continue;
         auto layer = std::find_if(layers.begin(), layers.end(),
                                   [&](const LiveLayer& known) { return known.name == name; });
         if (layer == layers.end()) layer = layers.insert(layer, {std::move(name), {}});

@@ -21,7 +21,7 @@ struct LiveLayer {
 };
 
 /// Returns the layers in the order of their first channels, which stand as R, G, B or X, Y, Z; they
-/// point into the picture.
+/// point into the picture. IDs of a Cryptomatte are nothing to look at, and no layer.
 std::vector<LiveLayer> layers_of(const Picture& picture);
 
 /// Returns the values of one channel after the other, little-endian, rounded to the nearest.

@@ -6,6 +6,7 @@
 
 namespace sunfleck::engine {
 
+extern const std::string_view kBaseStyle;     // common/base.css: the look of all pages
 extern const std::string_view kPage;          // page.html
 extern const std::string_view kPageStyle;     // page.css
 extern const std::string_view kPageScript;    // the .js files, sorted by name

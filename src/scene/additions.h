@@ -24,6 +24,13 @@ inline std::uint32_t add_material(SceneDescription& scene, Material material,
     return static_cast<std::uint32_t>(scene.materials.size() - 1);
 }
 
+/// Names a material, for mattes.
+inline void name_material(SceneDescription& scene, std::uint32_t material, std::string name) {
+    if (scene.material_names.size() <= material)
+        scene.material_names.resize(std::size_t{material} + 1);
+    scene.material_names[material] = std::move(name);
+}
+
 /// Adds a medium that absorbs alone. @param absorption  per metre. @return its number.
 inline MediumNumber add_medium(SceneDescription& scene, const Spectrum& absorption) {
     scene.media.all.push_back({absorption, Spectrum(), 0});

@@ -11,6 +11,7 @@
 #include "material/bump_map.h"
 #include "material/material.h"
 #include "scene/media.h"
+#include "scene/names.h"
 
 #include <optional>
 #include <string>
@@ -54,11 +55,14 @@ struct ShapeDescription {
     std::optional<FloatTexture> alpha = std::nullopt;
     bool unseen = false;  // it emits, but rays do not hit it (pbrt-v4's area lights of alpha 0)
     MediumSides media{};
+    std::string name{};                        // as in the file (scene/names.h)
+    std::shared_ptr<const PartNames> parts{};  // names of its parts, if it has several
 };
 
 struct InstanceDescription {
     std::uint32_t object = 0;  // index into SceneDescription::objects
     Matrix to_world;
+    std::string name{};  // empty: those of its shapes
 };
 
 struct FilmDescription {
@@ -97,8 +101,9 @@ struct SceneDescription {
     FilmDescription film;
     RenderHints hints;
     std::vector<Material> materials;
-    std::vector<BumpMap> bump_maps;        // per material; those beyond the end are empty
-    std::vector<ShapeDescription> shapes;  // in the world
+    std::vector<BumpMap> bump_maps;           // per material; those beyond the end are empty
+    std::vector<std::string> material_names;  // likewise
+    std::vector<ShapeDescription> shapes;     // in the world
     std::vector<std::vector<ShapeDescription>> objects;  // each list once, placed by instances
     std::vector<InstanceDescription> instances;
     std::vector<LightStatement> light_statements;  // in file order

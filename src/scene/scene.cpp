@@ -33,6 +33,28 @@ bool is_left_out(const ShapeDescription& shape, const std::vector<Material>& mat
     return shape.unseen || (straight && !shape.emission && !shape.media.differ());
 }
 
+/// Returns names, each in place of an empty one. @param what  "material": the names given are
+/// "material 1" and so on.
+std::vector<std::string> named(std::vector<std::string> names, const std::string& what) {
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (names[i].empty()) names[i] = what + ' ' + std::to_string(i + 1);
+    return names;
+}
+
+/// @param shapes  names of the shapes that are in the geometry, and of their parts.
+std::shared_ptr<const SceneNames> names_of(SceneDescription& description, SceneNames shapes) {
+    SceneNames names{.materials = std::move(description.material_names),
+                     .shapes = named(std::move(shapes.shapes), "shape"),
+                     .parts = std::move(shapes.parts),
+                     .instances = {}};
+    names.materials.resize(description.materials.size());
+    names.materials = named(std::move(names.materials), "material");
+    names.instances.reserve(description.instances.size());
+    for (InstanceDescription& instance : description.instances)
+        names.instances.push_back(std::move(instance.name));
+    return std::make_shared<const SceneNames>(std::move(names));
+}
+
 ScenePlaces places_of(const SceneDescription& description, const std::string& path,
                       const std::vector<Material>& materials) {
     ScenePlaces places{path, {}};
@@ -94,6 +116,7 @@ Surfaces Scene::take_shapes(SceneDescription& description, const std::string& is
     const std::vector<Material>& materials = description.materials;
     GeometryInput input;
     std::vector<ShapeRecord> records;
+    SceneNames names;
     const auto take = [&](ShapeDescription& shape) -> std::optional<std::uint32_t> {
         if (!has_media_) shape.media = {};
         warn_of_extent(shape, description.warnings);
@@ -110,6 +133,8 @@ Surfaces Scene::take_shapes(SceneDescription& description, const std::string& is
         if (separates_media) record.media = shape.media;
         record.has_cover = shape.placed.cover != nullptr;
         if (shape.emission) add_area_lights(shape, index);
+        names.shapes.push_back(std::move(shape.name));
+        names.parts.push_back(std::move(shape.parts));
         input.shapes.push_back(std::move(shape.placed));
         return index;
     };
@@ -123,6 +148,7 @@ Surfaces Scene::take_shapes(SceneDescription& description, const std::string& is
     }
     for (const InstanceDescription& instance : description.instances)
         input.instances.push_back({objects[instance.object], instance.to_world, instance.object});
+    names_ = names_of(description, std::move(names));
     return {std::move(input), isa, std::move(records), std::move(description.materials)};
 }
 

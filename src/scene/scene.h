@@ -60,6 +60,7 @@ public:
     bool has_cover(const Hit& hit) const { return surfaces_.has_cover(hit); }
     bool is_free(const Ray& ray) const { return surfaces_.is_free(ray); }
 
+    const SceneNames& names() const { return *names_; }
     /// Returns the bump or normal map of a material.
     const BumpMap& bump_map_of(std::uint32_t material) const { return bump_maps_[material]; }
     /// Returns the first hit of a camera ray, traced in double where floats are too coarse.
@@ -101,6 +102,7 @@ private:
     MediumNumber last_medium_ = 0;  // behind all surfaces, be they opaque
     std::vector<BumpMap> bump_maps_;
     std::shared_ptr<SceneLights> lights_;
+    std::shared_ptr<const SceneNames> names_;
     Surfaces surfaces_;
     bool is_dark_ = false;
     Camera camera_;

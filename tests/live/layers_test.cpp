@@ -17,6 +17,13 @@ Picture picture_of(const std::vector<const char*>& channels) {
     return picture;
 }
 
+TEST(LiveLayers, leave_ids_out) {
+    Picture picture = picture_of({"R", "G", "B", "CryptoObject00.R", "CryptoObject00.G"});
+    EXPECT_EQ(layers_of(picture).size(), 2U) << "so far it is a name as any other";
+    picture.metadata["cryptomatte/0123456/name"] = "CryptoObject";
+    EXPECT_EQ(layers_of(picture).size(), 1U);
+}
+
 /// As other programs write them: by the alphabet, with transparency, some apart.
 TEST(LiveLayers, have_their_channels_in_the_order_of_colours) {
     const Picture picture =

@@ -74,6 +74,14 @@ FloatTexture less(const FloatTexture& amount, const FloatTexture& by) {
     return FloatTexture(FloatKind{MixKind<FloatTexture>{amount, 0.0F, by}});
 }
 
+/// Names the materials of a look as the file does.
+void name_materials(const std::optional<JsonPlace>& place, const GltfLook& look,
+                    SceneDescription& scene) {
+    const std::string name = place ? place->text("name", "") : "default";
+    name_material(scene, look.material, name);
+    if (look.glass) name_material(scene, look.glass->pane, name);
+}
+
 std::string emission_in_watts(const std::string& generator) {
     return "emission is taken in W/(sr m2), because \"" + generator +
            "\" wrote the file (--emission-unit nit for what glTF says)";
@@ -135,6 +143,7 @@ const GltfLook& GltfMaterials::look_of(const JsonPlace& primitive, const GltfVer
     if (number) place = document_.element("materials", *number);
     GltfLook look = made(place, vertices);
     look.is_of_vertices = !vertices.are_plain();
+    name_materials(place, look, scene_);
     return looks_.emplace(key, std::move(look)).first->second;
 }
 

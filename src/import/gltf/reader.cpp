@@ -143,9 +143,19 @@ private:
         if (frames.empty()) return;
         if (!has_skin && !is_there(node, frames.front())) return;
         for (ShapeDescription& shape : shapes_.of(node, mesh)) {
+            shape.name = name_of(node, mesh);
             if (!has_skin) shape.placed.to_world = frames.front();
             scene_.shapes.push_back(std::move(shape));
         }
+    }
+
+    /// Returns the name of what a node shows: its own, or else that of its mesh.
+    std::string name_of(const GltfNode& node, const JsonPlace& mesh) const {
+        const std::string name = node.place.text("name", "");
+        if (!name.empty()) return name;
+        const std::string of_mesh = mesh.text("name", "");
+        if (!of_mesh.empty()) return of_mesh;
+        return "mesh " + std::to_string(number_of(node.place.at("mesh")));
     }
 
     /// What nodes that show the same mesh share: an object, and shapes that emit, which are placed
@@ -178,9 +188,11 @@ private:
         const Shared& shared = shared_.at(number);
         for (const Matrix& frame : nodes_.instances_of(node)) {
             if (!is_there(node, frame)) continue;
-            if (shared.object) scene_.instances.push_back({*shared.object, frame});
+            const std::string name = name_of(node, mesh);
+            if (shared.object) scene_.instances.push_back({*shared.object, frame, name});
             for (ShapeDescription shape : shared.emitting) {
                 shape.placed.to_world = frame;
+                shape.name = name;
                 scene_.shapes.push_back(std::move(shape));
             }
         }

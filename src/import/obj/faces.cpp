@@ -14,7 +14,7 @@ constexpr std::size_t kMostToClip = 5000;     // of one that is no fan
 constexpr ObjTriangle kNoCorners = {kNoIndex, kNoIndex, kNoIndex};
 
 bool is_same_run(const ObjRun& a, const ObjRun& b) {
-    return a.material == b.material && a.smoothing == b.smoothing;
+    return a.material == b.material && a.smoothing == b.smoothing && a.object == b.object;
 }
 
 }  // namespace

@@ -20,9 +20,10 @@ class ObjFaces {
 public:
     /// Takes a face as a fan. @param cursor  behind it, for errors.
     void add(std::span<const ObjCorner> corners, const TextCursor& cursor);
-    /// Begins a run if material or smoothing changed.
+    /// Begins a run if material, smoothing or object changed.
     void set_material(std::uint32_t material) { run_.material = material; }
     void set_smoothing(std::uint32_t group) { run_.smoothing = group; }
+    void set_object(std::uint32_t object) { run_.object = object; }
     std::size_t triangles() const { return triangles_.size(); }
 
     /// Moves triangles and runs into the mesh, which has its positions: concave polygons are

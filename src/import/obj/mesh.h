@@ -22,11 +22,12 @@ struct ObjName {
     SourceLocation where{};
 };
 
-/// Triangles from `first` to the next run, with the material and smoothing in force.
+/// Triangles from `first` to the next run, with material, smoothing and object in force.
 struct ObjRun {
     std::size_t first = 0;
     std::uint32_t material = kNoIndex;  // index into ObjMesh::materials
     std::uint32_t smoothing = 0;        // group; 0 is off
+    std::uint32_t object = kNoIndex;    // index into ObjMesh::objects
 };
 
 struct ObjMesh {
@@ -39,6 +40,7 @@ struct ObjMesh {
     std::vector<ObjTriangle> normal_corners;  // of normals, likewise; all three or none
     std::vector<ObjRun> runs;                 // ascending; none is empty
     std::vector<ObjName> materials;           // of usemtl, each once
+    std::vector<std::string> objects;         // of o, or else of g, each once
     std::vector<ObjName> libraries;           // of mtllib: each the rest of its line
     std::vector<std::string> remarks;         // what was left out or changed
 };

@@ -61,6 +61,11 @@ private:
                 return read_library();
             case ObjStatement::smoothing:
                 return read_smoothing();
+            case ObjStatement::object:
+                return read_object();
+            case ObjStatement::group:
+                if (!has_objects_) read_name();
+                return;
             case ObjStatement::points:
                 ++points_;
                 return;
@@ -172,6 +177,24 @@ private:
         faces_.set_material(material);
     }
 
+    /// Groups count as objects until the file names an object.
+    void read_object() {
+        has_objects_ = true;
+        read_name();
+    }
+
+    void read_name() {
+        const std::string name(cursor_.rest_of_line());
+        std::uint32_t object = kNoIndex;
+        if (!name.empty()) {
+            const auto [found, is_new] = numbers_of_objects_.try_emplace(
+                name, static_cast<std::uint32_t>(mesh_.objects.size()));
+            if (is_new) mesh_.objects.push_back(name);
+            object = found->second;
+        }
+        faces_.set_object(object);
+    }
+
     /// "off" and 0 end smoothing.
     void read_smoothing() {
         const std::string_view word = cursor_.word();
@@ -230,7 +253,9 @@ private:
     ObjFaces faces_;
     std::vector<ObjCorner> face_;
     std::map<std::string, std::uint32_t, std::less<>> numbers_;  // of materials
-    std::vector<Broken> broken_;                                 // vertices
+    std::map<std::string, std::uint32_t, std::less<>> numbers_of_objects_;
+    bool has_objects_ = false;
+    std::vector<Broken> broken_;  // vertices
     std::size_t points_ = 0;
     std::size_t lines_ = 0;
     std::size_t surfaces_ = 0;

@@ -101,11 +101,20 @@ private:
         if (index == kNoIndex) return usual_look();
         const ObjName& name = names_[index];
         const auto found = libraries_.find(name.name);
-        if (found) return look_of(*found->material, *found->library, pictures_, scene_);
+        if (found)
+            return named_look(look_of(*found->material, *found->library, pictures_, scene_),
+                              name.name);
         if (!libraries_.are_missing())
             scene_.warnings.add(name.where, "there is no material " + in_quotes(name.name) +
                                                 " in the part's libraries");
         return (*this)(kNoIndex);
+    }
+
+    /// Names the materials of a look.
+    PartLook named_look(PartLook look, const std::string& name) {
+        name_material(scene_, look.material, name);
+        if (look.glass) name_material(scene_, look.glass->pane, name);
+        return look;
     }
 
     PartLook usual_look() {
@@ -120,17 +129,17 @@ private:
         if (settings_.material.empty())
             scene_.warnings.add({scene_.path},
                                 "there is no material: light grey plastic is used (--material)");
-        const NamedMaterial named = named_material(
-            settings_.material.empty() ? "plastic" : settings_.material, {"--material"});
+        const std::string name = settings_.material.empty() ? "plastic" : settings_.material;
+        const NamedMaterial named = named_material(name, {"--material"});
         PartLook look;
         look.material = add_material(scene_, named.material);
-        if (!named.is_clear) return look;
+        if (!named.is_clear) return named_look(look, name);
         PartLook::Glass glass;
         glass.pane = add_material(
             scene_, ThinDielectricMaterial{std::get<DielectricMaterial>(named.material).eta});
         if (named.absorption) glass.medium = add_medium(scene_, *named.absorption);
         look.glass = glass;
-        return look;
+        return named_look(look, name);
     }
 
     SceneDescription& scene_;

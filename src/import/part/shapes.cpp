@@ -5,6 +5,7 @@
 #include "geometry/middle.h"
 #include "geometry/weld.h"
 #include "image/srgb.h"
+#include "import/part/names.h"
 #include "scene/absorption.h"
 
 #include <algorithm>
@@ -104,7 +105,11 @@ public:
 
     ShapeMaker(SceneDescription& scene, ObjMesh mesh, const PartPlacement& placement,
                const LookOf& look_of)
-        : scene_(scene), mesh_(std::move(mesh)), placement_(placement), look_of_(look_of) {}
+        : scene_(scene),
+          mesh_(std::move(mesh)),
+          objects_(mesh_, scene.path),
+          placement_(placement),
+          look_of_(look_of) {}
 
     void run() {
         round_positions();
@@ -122,6 +127,7 @@ public:
         for (const auto& [key, triangles] : groups) {
             TriangleMesh mesh = mesh_of(maker, key, triangles);
             add_shape(key, std::move(mesh), maker.colours());
+            objects_.name(scene_.shapes.back(), triangles);
         }
     }
 
@@ -213,8 +219,10 @@ private:
         VertexColourKind kind;
         kind.colours = {std::make_shared<const VertexValues<Vec3>::Triangles>(mesh.triangles),
                         std::make_shared<const std::vector<Vec3>>(std::move(colours))};
-        return add_material(scene_,
-                            DiffuseMaterial{SpectrumTexture(SpectrumKind{std::move(kind)})});
+        const std::uint32_t material =
+            add_material(scene_, DiffuseMaterial{SpectrumTexture(SpectrumKind{std::move(kind)})});
+        name_material(scene_, material, "colours of vertices");
+        return material;
     }
 
     void add_shape(const GroupKey& key, TriangleMesh mesh, std::vector<Vec3> colours) {
@@ -260,6 +268,7 @@ private:
 
     SceneDescription& scene_;
     ObjMesh mesh_;
+    PartObjects objects_;
     PartPlacement placement_;
     const LookOf& look_of_;
     Vec3d origin_{0};              // of the positions

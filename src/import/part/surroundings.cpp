@@ -50,6 +50,8 @@ void add_ground(SceneDescription& scene, const Bounds& part, UpAxis up) {
     }
     ground.material = add_material(scene, DiffuseMaterial{Spectrum::constant(kReflectance)});
     ground.where = {scene.path};
+    ground.name = "ground";
+    name_material(scene, ground.material, "ground");
     scene.shapes.push_back(std::move(ground));
 }
 

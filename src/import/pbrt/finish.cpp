@@ -39,7 +39,7 @@ void finish_instances(Reading& reading) {
                              "an instance was left out: its scale is below 10^-10 "
                              "or above 10^10, or its place is beyond 10^17");
         else
-            reading.scene.instances.push_back({found->second, use.to_world});
+            reading.scene.instances.push_back({found->second, use.to_world, use.name});
     }
 }
 

@@ -2,6 +2,7 @@
 #include "import/pbrt/scene_materials.h"
 
 #include "import/pbrt/materials.h"
+#include "import/pbrt/names.h"
 #include "import/pbrt/words.h"
 
 #include <algorithm>
@@ -81,6 +82,7 @@ void finish_materials(MaterialTable& table, Assets& assets, SceneDescription& sc
         const MaterialTable::Slot slot = table.slots()[i];
         Material& material = scene.materials.emplace_back(DiffuseMaterial{});
         BumpMap& bump_map = scene.bump_maps.emplace_back();
+        scene.material_names.push_back(slot.statement ? material_name(*slot.statement) : slot.name);
         if (!slot.statement && !slot.used && !table.is_made(slot.name)) {
             assets.log.warn(slot.from, "there is no material " + in_quotes(slot.name) +
                                            ", but no shape uses it");

@@ -3,6 +3,7 @@
 
 #include "import/pbrt/curve_shape.h"
 #include "import/pbrt/meshes.h"
+#include "import/pbrt/names.h"
 #include "import/pbrt/reading.h"
 #include "import/pbrt/transforms.h"
 #include "import/pbrt/words.h"
@@ -191,6 +192,7 @@ std::optional<ShapeDescription> shape_of(const Statement& statement, Reading& re
     if (!shape.emission && turns_where_mirrored(shape.placed))
         shape.placed.flip = !shape.placed.flip;
     shape.where = statement.where;
+    shape.name = shape_name(statement);
     const bool is_there = take_alpha(statement, reading, shape);
     reading.log.warn_unused(statement);
     if (!is_there) return std::nullopt;

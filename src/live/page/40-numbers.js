@@ -10,7 +10,8 @@ function duration(seconds) {
   const whole = Math.round(seconds);
   const [h, m, s] = [Math.floor(whole / 3600), Math.floor(whole / 60) % 60, whole % 60];
   if (h > 0) return `${h} h ${m} min`;
-  return m > 0 ? `${m} min ${s} s` : `${s} s`;
+  if (m === 0) return `${s} s`;
+  return s > 0 ? `${m} min ${s} s` : `${m} min`;
 }
 
 const percent = (share) => (share === null || share === undefined ? "–" : `${Number((100 * share).toPrecision(2))}%`);

@@ -268,5 +268,18 @@ TEST_F(GltfMaterial, emission_is_factor_times_strength_times_texture) {
     EXPECT_NEAR(power, 0.5 * kPiDouble, 1e-3);
 }
 
+TEST_F(GltfMaterial, names_are_kept) {
+    const auto named = [&](const std::string& material) {
+        const SceneDescription scene = with(material);
+        const std::uint32_t number = scene.shapes.at(0).material;
+        return Scene(scene).names().materials.at(number);
+    };
+    EXPECT_EQ(named(R"("name":"felt")"), "felt");
+    EXPECT_EQ(named(R"("name":"glass","extensions":{"KHR_materials_transmission":
+{"transmissionFactor":1}})"),
+              "glass");
+    EXPECT_EQ(named("").find("material "), 0U);
+}
+
 }  // namespace
 }  // namespace sunfleck::engine

@@ -156,5 +156,20 @@ TEST_F(GltfNodeTree, hidden_nodes_are_not_shown) {
     EXPECT_FALSE(warns(scene, "not read"));
 }
 
+/// Nodes of the same mesh are instances, others are shapes.
+TEST_F(GltfNodeTree, names_of_nodes_or_meshes_are_those_of_objects) {
+    const auto names = [&](const std::string& nodes) {
+        return Scene(read(R"("scene":0,"scenes":[{"nodes":[0,1]}],"nodes":)" + nodes + ',' +
+                          square_json()))
+            .names();
+    };
+    EXPECT_EQ(names(R"([{"mesh":0,"name":"left"},{"mesh":0,"name":"right"}])").instances,
+              (std::vector<std::string>{"left", "right"}));
+    EXPECT_EQ(names(R"([{"mesh":0,"name":"left"},{"name":"empty"}])").shapes,
+              (std::vector<std::string>{"left"}));
+    EXPECT_EQ(names(R"([{"mesh":0},{"name":"empty"}])").shapes,
+              (std::vector<std::string>{"mesh 0"}));
+}
+
 }  // namespace
 }  // namespace sunfleck::engine

@@ -1,0 +1,25 @@
+// What mattes there are: of objects, of materials.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+namespace sunfleck::engine {
+
+enum class MatteKind { object, material };
+
+struct MatteKindRow {
+    std::string_view name;
+    MatteKind kind = MatteKind::object;
+    std::string_view layer;  // in an .exr; the first of its ranks is this and "00"
+};
+
+inline constexpr std::array<MatteKindRow, 2> kMatteKinds = {
+    {{"object", MatteKind::object, "CryptoObject"},
+     {"material", MatteKind::material, "CryptoMaterial"}}};
+
+/// IDs of a pixel, two in each layer: what the specification suggests.
+inline constexpr std::size_t kMatteIds = 6;
+
+}  // namespace sunfleck::engine
