@@ -90,7 +90,10 @@ void LiveView::begin(const RenderSetup& setup, const std::vector<std::string>& w
 }
 
 void LiveView::report(const Progress& progress) {
+    // A run that goes on after a look aside knows the error again at the end of a batch.
+    const std::optional<TargetError> before = status_.progress.error;
     status_.progress = progress;
+    if (!progress.error) status_.progress.error = before;
     status_.stage = progress.is_learning ? LiveStage::learning : LiveStage::rendering;
     tell();
 }
