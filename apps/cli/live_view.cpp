@@ -7,6 +7,7 @@
 #include "film/film_picture.h"
 #include "film/relight.h"
 #include "image/exr.h"
+#include "light/lumens.h"
 #include "live/layers.h"
 #include "math/white_balance.h"
 
@@ -76,11 +77,10 @@ LiveView::LiveView(LiveViewing viewing)
 
 void LiveView::begin(const RenderSetup& setup, const std::vector<std::string>& warnings,
                      const Film* earlier) {
-    constexpr double kNits = 683;  // cd/m^2 of a radiance of 1
     const FilmKey key = key_of(setup.job);
     status_.width = key.width;
     status_.height = key.height;
-    status_.nits = kNits / static_cast<double>(setup.scene.film().imaging_ratio);
+    status_.nits = kLumensPerWatt / static_cast<double>(setup.scene.film().imaging_ratio);
     status_.has_lens = has_lens(setup.scene.camera());
     status_.ends = {setup.job.stop.target_error, setup.job.stop.seconds};
     status_.warnings = warnings;

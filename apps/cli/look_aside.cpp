@@ -1,6 +1,7 @@
 // The view of a look, from that of the render.
 #include "apps/cli/look_aside.h"
 
+#include "camera/camera_frame.h"
 #include "export/view.h"
 #include "film/film_picture.h"
 #include "flags/render_request.h"
@@ -45,8 +46,7 @@ std::optional<Vec3d> seen_at(const Scene& scene, const PixelWindow& picture, con
 /// Returns how far what the middle of the picture shows is from the camera; where that is nothing,
 /// how far the middle of the scene is.
 double pivot_distance(const Scene& scene, const PixelWindow& picture) {
-    const Vec3d place = std::visit(
-        [](const auto& one) { return one.camera_to_world.translation(); }, scene.camera());
+    const Vec3d place = frame_of(scene.camera()).translation();
     const auto seen = seen_at(scene, picture, Vec2d(0.5));
     const SceneSphere& all = scene.sphere();
     const double distance = (seen.value_or(Vec3d(all.center)) - place).length();

@@ -2,6 +2,7 @@
 #include "apps/cli/matte_flags.h"
 
 #include "apps/cli/flag_rows.h"
+#include "core/named_rows.h"
 #include "core/small_letters.h"
 #include "image/id_layers.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <filesystem>
 #include <sstream>
 
 namespace sunfleck::engine {
@@ -21,10 +21,8 @@ std::vector<MatteKind> read_matte_kinds(const std::string& text, const std::stri
     std::vector<MatteKind> kinds;
     std::istringstream words(text);
     for (std::string word; std::getline(words, word, ',');) {
-        const auto* const row =
-            std::find_if(kMatteKinds.begin(), kMatteKinds.end(),
-                         [&](const MatteKindRow& known) { return known.name == word; });
-        if (row == kMatteKinds.end())
+        const auto* const row = row_named(kMatteKinds, word);
+        if (row == nullptr)
             throw Error(
                 {flag}, "there is no matte \"" + word + "\"",
                 "use " + form_of_names(kMatteKinds, " or ") + ", or both with a comma between");
@@ -46,7 +44,7 @@ std::uint32_t read_matte_samples(const std::string& text, const std::string& fla
 }
 
 bool is_exr(const std::string& file) {
-    return small_letters(std::filesystem::path(file).extension().string()) == ".exr";
+    return small_ending(file) == ".exr";
 }
 
 }  // namespace

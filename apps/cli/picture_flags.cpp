@@ -3,12 +3,12 @@
 
 #include "apps/cli/flag_rows.h"
 #include "core/small_letters.h"
+#include "image/exr_layers.h"
 
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <string_view>
 
 namespace sunfleck::engine {
@@ -30,7 +30,7 @@ const std::vector<std::string>& endings_of(const std::string& flag) {
 }
 
 bool has_ending(const std::string& file, const std::vector<std::string>& endings) {
-    const std::string ending = small_letters(std::filesystem::path(file).extension().string());
+    const std::string ending = small_ending(file);
     return std::find(endings.begin(), endings.end(), ending) != endings.end();
 }
 
@@ -75,11 +75,7 @@ void check_half_layers(const ExrOptions& options, const std::vector<std::string>
 
 void check_half_layers(const ExrOptions& options, const Picture& picture) {
     std::vector<std::string> layers;
-    for (const Channel& channel : picture.channels) {
-        std::string layer = exr_layer(channel.name);
-        if (std::find(layers.begin(), layers.end(), layer) == layers.end())
-            layers.push_back(std::move(layer));
-    }
+    for (const ExrLayer& layer : exr_layers(picture)) layers.push_back(layer.name);
     check_half_layers(options, layers);
 }
 

@@ -57,27 +57,25 @@ CommandFiles files_of(const RenderOptions& options, std::vector<std::string> rea
 }
 
 /// Returns what a page takes: the picture that viewers read, and the next one.
-std::uint64_t bytes_of_page(const FilmKey& key) {
-    std::size_t channels = 1 + 3 + 3 * key.light_groups.size();  // error, bias, groups
-    for (std::size_t i = 0; i < kAovCount; ++i)
-        if (key.has(i)) channels += kAovs.at(i).channels.size();
-    return 2 * channels * sizeof(float) * key.pixels();
+std::uint64_t bytes_of_page(const RenderJob& job, std::uint64_t pixels) {
+    constexpr std::uint64_t kUsual = 3 + 1 + 3;  // light, error, bias
+    return 2 * (kUsual + asked_channels(job.settings)) * sizeof(float) * pixels;
 }
 
 /// Returns what mattes take: their channels, and those in the picture that is written.
-std::uint64_t bytes_of_mattes(const RenderOptions& options, const FilmKey& key) {
-    return 2 * options.mattes.kinds.size() * 2 * kMatteIds * sizeof(float) * key.pixels();
+std::uint64_t bytes_of_mattes(const RenderOptions& options, std::uint64_t pixels) {
+    return 2 * options.mattes.kinds.size() * 2 * kMatteIds * sizeof(float) * pixels;
 }
 
 /// @throws Error if the render, its scene being in memory, would need more than there is.
 void check_memory(const RenderJob& job, const RenderOptions& options) {
-    const std::uint64_t of_page = options.view ? bytes_of_page(key_of(job)) : 0;
-    const std::uint64_t needed =
-        memory_in_use() + render_bytes(job).usual + of_page + bytes_of_mattes(options, key_of(job));
+    const PixelWindow window = window_of(job.scene.film());
+    const std::uint64_t of_page = options.view ? bytes_of_page(job, window.pixels()) : 0;
+    const std::uint64_t needed = memory_in_use() + render_bytes(job).usual + of_page +
+                                 bytes_of_mattes(options, window.pixels());
     const auto& limit = options.memory_limit;
     const MemoryRoom room = limit ? MemoryRoom{*limit, "--memory-limit"} : memory_room();
     if (needed <= room.bytes) return;
-    const PixelWindow window = window_of(job.scene.film());
     throw Error(
         {"sunfleck render"},
         fmt::format("{} x {} pixels need about {} of memory, and there are {} ({})", window.width(),

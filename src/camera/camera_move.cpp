@@ -1,6 +1,7 @@
 // Turns of the frame about the pivot, then steps along its axes.
 #include "camera/camera_move.h"
 
+#include "camera/camera_frame.h"
 #include "camera/screen.h"
 
 #include <cmath>
@@ -8,10 +9,6 @@
 
 namespace sunfleck::engine {
 namespace {
-
-const Matrix& frame_of(const Camera& camera) {
-    return std::visit([](const auto& one) -> const Matrix& { return one.camera_to_world; }, camera);
-}
 
 /// Returns the axis of the world that is nearest to a direction, on its side.
 Vec3d nearest_axis(const Vec3d& direction) {

@@ -1,6 +1,7 @@
 // Projection of points, one function per camera type.
 #include "camera/projection.h"
 
+#include "camera/camera_frame.h"
 #include "camera/screen.h"
 #include "math/warp.h"
 
@@ -30,8 +31,7 @@ std::pair<Vec2d, double> on_square(SphereMap map, const Vec3d& z_up) {
 }  // namespace
 
 Projection::Projection(Camera camera) : camera_(std::move(camera)) {
-    const Matrix& to_world =
-        std::visit([](const auto& c) -> const Matrix& { return c.camera_to_world; }, camera_);
+    const Matrix& to_world = frame_of(camera_);
     world_to_camera_ = to_world.inverse();
     volume_ = volume_scale(to_world);
 }

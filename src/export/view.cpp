@@ -1,6 +1,7 @@
 // The view of a scene.
 #include "export/view.h"
 
+#include "camera/camera_frame.h"
 #include "export/statement_text.h"
 #include "geometry/quadrature.h"
 #include "scene/framing.h"
@@ -96,10 +97,8 @@ struct CameraStatement {
 
 std::string camera_text(const Camera& camera, const std::string& around,
                         const SourceLocation& where, Warnings& warnings) {
-    const Matrix& to_world =
-        std::visit([](const auto& one) -> const Matrix& { return one.camera_to_world; }, camera);
     const StatementText statement = std::visit(CameraStatement{warnings, where}, camera);
-    return transform_text(to_world.inverse()) + around + statement.text();
+    return transform_text(frame_of(camera).inverse()) + around + statement.text();
 }
 
 std::string film_text(const FilmDescription& film, const std::string& picture) {

@@ -1,7 +1,6 @@
 // Attributes of OpenEXR files, in the library's types.
 #include "image/exr_header.h"
 
-#include "image/id_layers.h"
 #include "sunfleck/error.h"
 
 #include <OpenEXR/ImfChannelList.h>
@@ -55,19 +54,6 @@ std::optional<std::string> exr_date() {
     std::array<char, 32> date{};
     std::strftime(date.data(), date.size(), "%Y:%m:%d %H:%M:%S", &utc);
     return date.data();
-}
-
-std::vector<ExrLayer> exr_layers(const Picture& picture) {
-    std::vector<ExrLayer> layers;
-    for (const Channel& channel : picture.channels) {
-        const std::string name = exr_layer(channel.name);
-        auto layer = std::find_if(layers.begin(), layers.end(),
-                                  [&](const ExrLayer& known) { return known.name == name; });
-        if (layer == layers.end())
-            layer = layers.insert(layer, {name, {}, holds_ids(picture, name)});
-        layer->channels.push_back(&channel);
-    }
-    return layers;
 }
 
 bool is_half(const ExrLayer& layer, const ExrOptions& options) {

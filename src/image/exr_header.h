@@ -1,6 +1,7 @@
 // Headers of OpenEXR files that are written: channels, colour space, texts, date.
 #pragma once
 
+#include "image/exr_layers.h"
 #include "image/exr_options.h"
 #include "image/picture.h"
 
@@ -11,16 +12,6 @@
 #include <vector>
 
 namespace sunfleck::engine {
-
-/// Channels of one layer.
-struct ExrLayer {
-    std::string name;
-    std::vector<const Channel*> channels;
-    bool holds_ids = false;  // id_layers.h
-};
-
-/// Returns the layers in the order of their first channels; they point into the picture.
-std::vector<ExrLayer> exr_layers(const Picture& picture);
 
 /// Returns whether a layer has 16-bit floats. IDs never have them.
 bool is_half(const ExrLayer& layer, const ExrOptions& options);

@@ -7,7 +7,6 @@
 #include "sunfleck/error.h"
 
 #include <array>
-#include <filesystem>
 #include <string_view>
 
 namespace sunfleck::engine {
@@ -44,7 +43,7 @@ constexpr std::array kFormats = {
 
 /// Returns the format of a name's ending; null for an unknown one.
 const Format* find_format(const std::string& path) {
-    const std::string ending = small_letters(std::filesystem::path(path).extension().string());
+    const std::string ending = small_ending(path);
     for (const Format& format : kFormats)
         if (format.ending == ending) return &format;
     return nullptr;

@@ -11,7 +11,6 @@
 #include "sunfleck/error.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace sunfleck::engine {
 namespace {
@@ -40,7 +39,7 @@ SceneDescription read_as(SceneFormat format, const std::string& path, const Scen
 
 SceneFormat format_of(const std::string& path) {
     if (is_part(path)) return SceneFormat::part;
-    const std::string ending = small_letters(std::filesystem::path(path).extension().string());
+    const std::string ending = small_ending(path);
     if (ending == ".gltf" || ending == ".glb") return SceneFormat::gltf;
     return SceneFormat::pbrt;
 }

@@ -128,9 +128,7 @@ Mattes make_mattes(const Scene& scene, const MatteSettings& settings) {
     trace(scene, settings.samples, growing, kBlock);
     Mattes mattes;
     for (std::size_t i = 0; i < growing.size(); ++i)
-        for (const MatteKindRow& row : kMatteKinds)
-            if (row.kind == settings.kinds[i])
-                add(std::move(growing[i]), std::string(row.layer), mattes);
+        add(std::move(growing[i]), std::string(layer_of(settings.kinds[i])), mattes);
     return mattes;
 }
 

@@ -23,13 +23,6 @@ constexpr std::uint64_t kPoint = 400;
 /// A channel more, in film, pass and picture.
 constexpr std::uint64_t kChannel = 48;
 
-std::uint64_t channels_of(const RenderSettings& settings) {
-    std::uint64_t channels = 3 * settings.transport.light_groups.names.size();
-    for (std::size_t i = 1; i < kAovCount; ++i)
-        if (settings.aovs.at(i)) channels += kAovs.at(i).channels.size();
-    return channels;
-}
-
 MemoryEstimate sppm_bytes(const RenderJob& job, std::uint64_t pixels) {
     const PhotonSettings& photon = job.settings.photon;
     const std::uint64_t paths = usual_paths(photon, pixels);
@@ -52,9 +45,16 @@ MemoryEstimate bytes_of_kind(const RenderJob& job, std::uint64_t pixels) {
 
 }  // namespace
 
+std::uint64_t asked_channels(const RenderSettings& settings) {
+    std::uint64_t channels = 3 * settings.transport.light_groups.names.size();
+    for (std::size_t i = 1; i < kAovCount; ++i)
+        if (settings.aovs.at(i)) channels += kAovs.at(i).channels.size();
+    return channels;
+}
+
 MemoryEstimate render_bytes(const RenderJob& job) {
     const std::uint64_t pixels = window_of(job.scene.film()).pixels();
-    const std::uint64_t more = kOnce + pixels * kChannel * channels_of(job.settings);
+    const std::uint64_t more = kOnce + pixels * kChannel * asked_channels(job.settings);
     const MemoryEstimate of_kind = bytes_of_kind(job, pixels);
     return {of_kind.usual + more, of_kind.most + more};
 }

@@ -16,7 +16,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -26,7 +25,7 @@ namespace {
 enum class PartFormat { obj, stl, ply, none };
 
 PartFormat format_of_part(const std::string& path) {
-    const std::string ending = small_letters(std::filesystem::path(path).extension().string());
+    const std::string ending = small_ending(path);
     if (ending == ".obj") return PartFormat::obj;
     if (ending == ".stl") return PartFormat::stl;
     return ending == ".ply" ? PartFormat::ply : PartFormat::none;

@@ -5,18 +5,18 @@ const token = new URLSearchParams(location.search).get("token") ?? "";
 const address = (path, more = {}) => `${path}?${new URLSearchParams([...Object.entries(more), ["token", token]].flatMap(
   ([name, value]) => (Array.isArray(value) ? value.map((one) => [name, one]) : [[name, value]])))}`;
 
-/** A picture of its own: `planes` has an array of numbers for each channel of the layer, `error`
- *  those of the standard error, if it is known, `parts` the light of each group and the rest,
+/** A picture of its own: `planes` has an array of numbers for each channel of the layer, `shown` the
+ *  same under the lamps as they are set, `error` those of the standard error, if it is known, `parts` the light of each group and the rest,
  *  `albedo` the reflectance, where they are wanted; `region`: the pixels x0 x1 y0 y1 of the whole
  *  picture that it shows, null for all. */
 const newSheet = (of) => ({
-  of, number: 0, layer: "", width: 0, height: 0, planes: [], error: null, parts: null, albedo: null, region: null,
+  of, number: 0, layer: "", width: 0, height: 0, planes: [], shown: [], error: null, parts: null, albedo: null, region: null,
   canvas: byId(`canvas-${of}`),
 });
 const sheets = { render: newSheet("render"), look: newSheet("look"), earlier: newSheet("earlier") };
 
 const emptySheet = (sheet) =>
-  Object.assign(sheet, { number: 0, layer: "", planes: [], error: null, parts: null, albedo: null, region: null });
+  Object.assign(sheet, { number: 0, layer: "", planes: [], shown: [], error: null, parts: null, albedo: null, region: null });
 
 function numbersOf(halves) {
   const bits = new Uint32Array(halves.length);

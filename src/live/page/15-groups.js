@@ -25,9 +25,12 @@ const changedGroups = () => [...lamps.keys()].filter(isChanged).sort();
 /** NAME=R,G,B of each group that is changed, as `relight` reads them. */
 const factorWords = () => changedGroups().map((group) => `${group}=${factorsOf(group).join(",")}`);
 
+/** Whether a sheet shows other light than was rendered. */
+const isMixed = ({ layer, parts }) => layer === "picture" && parts !== null && changedGroups().length > 0;
+
 /** The planes of a sheet under the lamps as they are set. */
 function mixedPlanes(sheet) {
-  if (sheet.layer !== "picture" || !sheet.parts || changedGroups().length === 0) return sheet.planes;
+  if (!isMixed(sheet)) return sheet.planes;
   const all = Object.entries(sheet.parts.groups).map(([group, planes]) => ({ planes, factors: factorsOf(group) }));
   return sheet.parts.rest.map((rest, c) => {
     const sum = Float32Array.from(rest);
@@ -74,14 +77,4 @@ function lampRow(group, changed) {
   value.textContent = level.toFixed(2);
   row.append(name, slider, value, chooser, off);
   return row;
-}
-
-/** The numbers of a pixel, by channel, under the lamps as they are set. */
-function mixedPlanesAt(sheet, pixel) {
-  if (sheet.layer !== "picture" || !sheet.parts || changedGroups().length === 0) return sheet.planes.map((plane) => plane[pixel]);
-  return sheet.parts.rest.map((rest, c) => {
-    let sum = rest[pixel];
-    for (const [group, planes] of Object.entries(sheet.parts.groups)) sum += factorsOf(group)[c] * planes[c][pixel];
-    return sum;
-  });
 }

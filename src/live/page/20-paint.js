@@ -87,9 +87,9 @@ const nits = () => status?.nits ?? 1;
 const unit = () => (status?.nits ? " cd/m²" : "");
 
 /** Illuminance of a matt surface: what it sends on is its reflectance over pi of what comes. */
-function luxAt({ planes, albedo }, pixel) {
+function luxAt({ shown, albedo }, pixel) {
   const reflected = lightAt(albedo, pixel);
-  return reflected > 0 ? (Math.PI * nits() * lightAt(planes, pixel)) / reflected : 0;
+  return reflected > 0 ? (Math.PI * nits() * lightAt(shown, pixel)) / reflected : 0;
 }
 
 const scaledEnds = (exposure, factor, name) => DECADES.map((d) => `${shortNumber((factor * 10 ** d) / 2 ** exposure)}${name}`);
@@ -99,7 +99,7 @@ const MAPPED = {
   luminance: {
     name: "luminance",
     map: VIRIDIS,
-    place: ({ planes }, i, exposure) => placeOfLuminance(lightAt(planes, i), exposure),
+    place: ({ shown }, i, exposure) => placeOfLuminance(lightAt(shown, i), exposure),
     ends: (exposure) => scaledEnds(exposure, nits(), unit()),
   },
   lux: {
@@ -112,15 +112,15 @@ const MAPPED = {
   error: {
     name: "standard error over luminance",
     map: MAGMA,
-    needs: ({ error }) => error,
-    place: ({ planes, error }, i, exposure) =>
-      ((error[i] / Math.max(Math.abs(lightAt(planes, i)), 1e-30)) * 2 ** exposure) / LARGEST_ERROR,
+    needs: (sheet) => sheet.error && !isMixed(sheet), // it is that of the light as it was rendered
+    place: ({ shown, error }, i, exposure) =>
+      ((error[i] / Math.max(Math.abs(lightAt(shown, i)), 1e-30)) * 2 ** exposure) / LARGEST_ERROR,
     ends: (exposure) => ["0", `${shortNumber((100 * LARGEST_ERROR) / 2 ** exposure)}%`],
   },
 };
 
 function paintMapped({ map, place }, sheet, exposure, out) {
-  for (let i = 0, o = 0; i < sheet.planes[0].length; ++i, o += 4) {
+  for (let i = 0, o = 0; i < sheet.shown[0].length; ++i, o += 4) {
     const at = 3 * Math.min(Math.max(Math.round(255 * place(sheet, i, exposure)), 0), 255);
     [out[o], out[o + 1], out[o + 2], out[o + 3]] = [map[at], map[at + 1], map[at + 2], 255];
   }
@@ -132,15 +132,14 @@ function paint(sheet, show, exposure) {
   const { canvas, width, height } = sheet;
   canvas.hidden = sheet.number === 0;
   if (sheet.number === 0) return undefined;
-  const shown = { ...sheet, planes: mixedPlanes(sheet) };
-  if (shown.planes !== sheet.planes) shown.error = null; // that of other light
+  sheet.shown = mixedPlanes(sheet);
   const way = MAPPED[show];
-  const mapped = way && (!way.needs || way.needs(shown)) ? way : undefined;
+  const mapped = way && (!way.needs || way.needs(sheet)) ? way : undefined;
   if (canvas.width !== width || canvas.height !== height) Object.assign(canvas, { width, height });
   const context = canvas.getContext("2d");
   const image = context.createImageData(width, height);
-  if (mapped) paintMapped(mapped, shown, exposure, image.data);
-  else paintLight(shown.planes, !FEATURES.includes(sheet.layer), exposure, image.data);
+  if (mapped) paintMapped(mapped, sheet, exposure, image.data);
+  else paintLight(sheet.shown, !FEATURES.includes(sheet.layer), exposure, image.data);
   context.putImageData(image, 0, 0);
   return mapped;
 }

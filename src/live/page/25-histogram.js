@@ -27,7 +27,7 @@ function showHistogram(sheet, exposure) {
   const context = canvas.getContext("2d");
   context.clearRect(0, 0, canvas.width, canvas.height);
   if (sheet.number === 0) return;
-  const { bars, white } = countLight(mixedPlanes(sheet), exposure);
+  const { bars, white } = countLight(sheet.shown, exposure);
   const style = getComputedStyle(document.documentElement);
   const highest = Math.max(...bars) || 1;
   const width = canvas.width / BARS;

@@ -96,14 +96,14 @@ function sheetAt(x, y, left) {
 
 /** What is known of a pixel of a sheet, as text. */
 function pixelText(sheet, pixel) {
-  const planes = mixedPlanesAt(sheet, pixel);
+  const planes = sheet.shown.map((plane) => plane[pixel]);
   const light = planes.length === 3 ? luminanceOf(planes) : planes[0];
   let text = `${sheet.of === "render" ? "" : `${sheet.of}: `}${sheet.layer} ${planes.map(shortNumber).join(" ")}`;
   if (planes.length === 3 && sheet.layer !== "normal") {
     text += `   Y ${shortNumber(light)}`;
     if (status?.nits && nits() !== 1) text += ` = ${shortNumber(light * nits())} cd/m²`;
   }
-  if (sheet.layer === "picture" && sheet.error && changedGroups().length === 0) {
+  if (sheet.layer === "picture" && sheet.error && !isMixed(sheet)) {
     text += ` ± ${shortNumber(sheet.error[pixel])}`;
     if (light > 0) text += ` (${shortNumber(Number(((100 * sheet.error[pixel]) / light).toPrecision(2)))}%)`;
   }
